@@ -79,7 +79,8 @@ Violation ambiguous(std::span<const JoiningSide> joining) {
                         .place = joining.front().side,
                         .found = static_cast<std::int64_t>(joining.size()),
                         .expected = 2};
-    for (const JoiningSide& s : joining) violation.witness.push_back(face_of_side(s.side));
+    for (const JoiningSide& s : joining)
+        violation.witness.push_back(face_of_side(s.side));
     return violation;
 }
 
@@ -135,10 +136,12 @@ FaceListReading glue_faces(std::span<const std::array<Index, 3>> faces, Index ve
     FaceListReading reading;
     reading.gluing.vertex_count = vertex_count;
     reading.gluing.faces.resize(faces.size());
-    for (std::size_t f = 0; f < faces.size(); ++f) reading.gluing.faces[f].corners = faces[f];
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        reading.gluing.faces[f].corners = faces[f];
     const auto glue = [&](Index s, Index t) {
         const bool reversed = start_of(faces, s) == start_of(faces, t);
-        reading.gluing.faces[static_cast<std::size_t>(s / 3)].sides[static_cast<std::size_t>(s % 3)] =
+        reading.gluing.faces[static_cast<std::size_t>(s / 3)]
+            .sides[static_cast<std::size_t>(s % 3)] =
             reversed ? SideGluing::reversed(t) : SideGluing::coherent(t);
     };
     const std::vector<JoiningSide> sides = sides_by_ends(faces);

@@ -9,7 +9,8 @@ namespace tightflip::kernel {
 
 Index Triangulation::degree(Halfedge h) const {
     Index degree = 0;
-    for ([[maybe_unused]] const Halfedge spoke : star(h)) ++degree;
+    for ([[maybe_unused]] const Halfedge spoke : star(h))
+        ++degree;
     return degree;
 }
 
@@ -36,7 +37,8 @@ std::vector<Halfedge> Triangulation::faces() const {
 // prefetch is wasted.
 std::size_t Triangulation::flip_all(std::span<const Edge> edges) {
     constexpr std::size_t stage = 8;
-    for (const Edge e : edges) static_cast<void>(checked(e));
+    for (const Edge e : edges)
+        static_cast<void>(checked(e));
     const MutableHalfedgeTable records(records_);
     const auto fetch = [&](Halfedge h) { __builtin_prefetch(&at(records, h), 1); };
     const auto each_side = [&](std::size_t k, auto&& visit) {

@@ -120,13 +120,18 @@ void fill_in(std::string& text, std::string_view field, const std::string& value
 
 }  // namespace
 
-std::string_view name(ViolationCode code) noexcept { return entry(code).name; }
+std::string_view name(ViolationCode code) noexcept {
+    return entry(code).name;
+}
 
-std::string_view describe(ViolationCode code) noexcept { return entry(code).description; }
+std::string_view describe(ViolationCode code) noexcept {
+    return entry(code).description;
+}
 
 std::vector<ViolationCode> all_violation_codes() {
     std::vector<ViolationCode> codes;
-    for (const Entry& e : entries) codes.push_back(e.code);
+    for (const Entry& e : entries)
+        codes.push_back(e.code);
     return codes;
 }
 

@@ -18,8 +18,9 @@ namespace tightflip::kernel {
 
 /// What to look at and how much to keep.
 struct AuditOptions {
-    std::int64_t max_per_code = 16;  ///< violations of a code kept with their place; all are counted
-    bool statistics = true;          ///< degrees and parallel edges (about half as much work again)
+    std::int64_t max_per_code =
+        16;                  ///< violations of a code kept with their place; all are counted
+    bool statistics = true;  ///< degrees and parallel edges (about half as much work again)
 };
 
 /// Degrees (the paper: valence) over the vertices that are used; an edge counts at both ends.
@@ -33,9 +34,9 @@ struct DegreeStatistics {
 
 /// Edges that share both ends with another edge.
 struct ParallelStatistics {
-    Index loops = 0;             ///< edges whose two ends are one vertex
+    Index loops = 0;               ///< edges whose two ends are one vertex
     Index pairs_joined_twice = 0;  ///< pairs of distinct vertices joined by more than one edge
-    Index max_multiplicity = 0;  ///< the most edges between any two distinct vertices
+    Index max_multiplicity = 0;    ///< the most edges between any two distinct vertices
 
     friend constexpr bool operator==(const ParallelStatistics&,
                                      const ParallelStatistics&) = default;
@@ -44,7 +45,7 @@ struct ParallelStatistics {
 /// The numbers that the extended diagonal flip must keep (Theorem 4.2).
 struct Topology {
     Index vertices = 0;
-    Index edges = 0;       ///< glued pairs of sides, and unglued sides
+    Index edges = 0;  ///< glued pairs of sides, and unglued sides
     Index faces = 0;
     Index components = 0;  ///< of faces, joined by sides
     Index euler_characteristic = 0;
@@ -59,8 +60,8 @@ struct Topology {
 /// The judge's answer.
 struct AuditReport {
     Topology topology;
-    bool reached_top = false;       ///< false where broken tables ended the climb
-    bool coherently_stored = false;  ///< every face is listed in one and the same orientation
+    bool reached_top = false;           ///< false where broken tables ended the climb
+    bool coherently_stored = false;     ///< every face is listed in one and the same orientation
     std::vector<Violation> violations;  ///< the first `max_per_code` of each code, by code
     std::int64_t violation_count = 0;
     std::optional<DegreeStatistics> degrees;

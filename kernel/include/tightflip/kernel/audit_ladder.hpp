@@ -211,7 +211,8 @@ private:
                     const Crossing crossing = across(side_of(f, i));
                     if (!crossing.exists()) continue;
                     const std::uint8_t mine = sheet[static_cast<std::size_t>(f)];
-                    const auto wanted = static_cast<std::uint8_t>(crossing.reversed ? 3 - mine : mine);
+                    const auto wanted =
+                        static_cast<std::uint8_t>(crossing.reversed ? 3 - mine : mine);
                     std::uint8_t& theirs = sheet[static_cast<std::size_t>(crossing.side / 3)];
                     if (theirs == 0) {
                         theirs = wanted;
@@ -237,10 +238,12 @@ private:
     }
 
     /// Where faces fall into several components by sides: do they at least share vertices?
-    constexpr void judge_connectedness(std::span<const Index> order, std::span<const Index> starts) {
+    constexpr void judge_connectedness(std::span<const Index> order,
+                                       std::span<const Index> starts) {
         const std::size_t components = starts.size();
         std::vector<Index> leader(components);  // union-find over components
-        for (std::size_t c = 0; c < components; ++c) leader[c] = static_cast<Index>(c);
+        for (std::size_t c = 0; c < components; ++c)
+            leader[c] = static_cast<Index>(c);
         const auto find = [&](Index c) {
             while (leader[static_cast<std::size_t>(c)] != c) {
                 Index& up = leader[static_cast<std::size_t>(c)];
@@ -252,8 +255,8 @@ private:
         std::vector<Index> sizes(components, 0);
         std::vector<Index> seen_in(static_cast<std::size_t>(vertex_count_), -1);
         for (std::size_t c = 0; c < components; ++c) {
-            const auto end = c + 1 < components ? static_cast<std::size_t>(starts[c + 1])
-                                                : order.size();
+            const auto end =
+                c + 1 < components ? static_cast<std::size_t>(starts[c + 1]) : order.size();
             for (auto k = static_cast<std::size_t>(starts[c]); k < end; ++k) {
                 ++sizes[c];
                 for (const Index v : faces_[static_cast<std::size_t>(order[k])].corners) {
@@ -290,7 +293,8 @@ private:
             for (int i = 0; i < 3; ++i) {
                 const Crossing crossing = across(side_of(node / 2, i));
                 if (!crossing.exists()) continue;
-                const Index to = 2 * (crossing.side / 3) + ((node & 1) ^ (crossing.reversed ? 1 : 0));
+                const Index to =
+                    2 * (crossing.side / 3) + ((node & 1) ^ (crossing.reversed ? 1 : 0));
                 if (parent[static_cast<std::size_t>(to)] >= 0) continue;
                 parent[static_cast<std::size_t>(to)] = node;
                 queue.push_back(to);
@@ -309,8 +313,8 @@ private:
     constexpr void judge_vertices() {
         std::vector<std::uint8_t> seen(3 * faces_.size(), 0);  // corners walked over
         std::vector<Index> fans(static_cast<std::size_t>(vertex_count_), 0);
-        std::vector<Index> degree(
-            options_.statistics ? static_cast<std::size_t>(vertex_count_) : 0, 0);
+        std::vector<Index> degree(options_.statistics ? static_cast<std::size_t>(vertex_count_) : 0,
+                                  0);
         for (Index start = 0; start < 3 * face_count(); ++start) {
             if (seen[static_cast<std::size_t>(start)] != 0) continue;
             const auto v = static_cast<std::size_t>(label(start));
@@ -380,7 +384,8 @@ private:
             }
         };
         for_each_edge([&](Index low, Index) { ++offset[static_cast<std::size_t>(low) + 1]; });
-        for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
+        for (std::size_t v = 1; v < offset.size(); ++v)
+            offset[v] += offset[v - 1];
         std::vector<Index> high_ends(static_cast<std::size_t>(offset.back()));
         std::vector<Index> fill(offset.begin(), offset.end() - 1);
         for_each_edge([&](Index low, Index high) {
@@ -400,7 +405,8 @@ private:
                 statistics.pairs_joined_twice += count == 2 ? 1 : 0;
                 statistics.max_multiplicity = std::max(statistics.max_multiplicity, count);
             }
-            for (const Index w : bucket) multiplicity[static_cast<std::size_t>(w)] = 0;
+            for (const Index w : bucket)
+                multiplicity[static_cast<std::size_t>(w)] = 0;
         }
         report_.parallels = statistics;
     }

@@ -17,7 +17,8 @@ struct BuildResult {
     AuditReport report;
 
     [[nodiscard]] explicit operator bool() const noexcept { return triangulation.has_value(); }
-    /// The triangulation; throws std::invalid_argument with the first violation where there is none.
+    /// The triangulation; throws std::invalid_argument with the first violation where there is
+    /// none.
     [[nodiscard]] const Triangulation& value() const&;
     [[nodiscard]] Triangulation&& value() &&;
 };

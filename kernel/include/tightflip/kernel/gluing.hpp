@@ -67,8 +67,14 @@ struct Gluing {
     friend constexpr bool operator==(const Gluing&, const Gluing&) noexcept = default;
 };
 
-[[nodiscard]] constexpr Index side_of(Index face, int i) noexcept { return 3 * face + i; }
-[[nodiscard]] constexpr Index face_of_side(Index side) noexcept { return side / 3; }
-[[nodiscard]] constexpr int corner_of_side(Index side) noexcept { return side % 3; }
+[[nodiscard]] constexpr Index side_of(Index face, int i) noexcept {
+    return 3 * face + i;
+}
+[[nodiscard]] constexpr Index face_of_side(Index side) noexcept {
+    return side / 3;
+}
+[[nodiscard]] constexpr int corner_of_side(Index side) noexcept {
+    return side % 3;
+}
 
 }  // namespace tightflip::kernel

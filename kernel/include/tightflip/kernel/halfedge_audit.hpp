@@ -62,7 +62,8 @@ struct TableReading {
     }
     for (Index h = 0; h < count; ++h) {
         const Index s = side[static_cast<std::size_t>(h)];
-        reading.gluing.faces[static_cast<std::size_t>(s / 3)].sides[static_cast<std::size_t>(s % 3)] =
+        reading.gluing.faces[static_cast<std::size_t>(s / 3)]
+            .sides[static_cast<std::size_t>(s % 3)] =
             SideGluing::coherent(side[static_cast<std::size_t>(h ^ 1)]);
     }
     return reading;
@@ -123,8 +124,7 @@ struct TableReading {
         // All three neighbours coincide exactly when the face behind x holds twin y and twin z.
         const Halfedge a = at(table, twin(x)).next;
         const Halfedge b = at(table, a).next;
-        const bool all_coincide =
-            (twin(y) == a || twin(y) == b) && (twin(z) == a || twin(z) == b);
+        const bool all_coincide = (twin(y) == a || twin(y) == b) && (twin(z) == a || twin(z) == b);
         if (all_coincide && count != 6) return ViolationCode::three_neighbour_rule_broken;
     }
     return std::nullopt;
