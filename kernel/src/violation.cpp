@@ -95,6 +95,24 @@ constexpr std::array entries{
           "orientable is {found}, at the start {expected}"},
     Entry{genus_changed, "genus_changed", "the genus is not the start's",
           "the genus is {found}, at the start {expected}"},
+    Entry{refusal_unjustified, "refusal_unjustified",
+          "a flip was refused although the two opposite corners differ",
+          "its flip was refused although the opposite corners {found} and {expected} differ"},
+    Entry{flip_not_as_defined, "flip_not_as_defined",
+          "after a flip the two faces at the edge are not the ones that its definition names "
+          "(witness: their six corners)",
+          "after its flip the two faces there have the corners {witness}"},
+    Entry{reference_model_disagrees, "reference_model_disagrees",
+          "the reference model, flipped alike, is another surface",
+          "the reference model, flipped alike, differs there"},
+    Entry{
+        flip_law_broken, "flip_law_broken",
+        "unflip does not undo flip, or four flips of one edge are not the identity, or two do not "
+        "exchange its halves",
+        "flips and unflips there do not compose as they must"},
+    Entry{log_not_reproduced, "log_not_reproduced",
+          "a log or surface written down and read back is not the one that was written",
+          "what was written and read back is not the same"},
 };
 
 const Entry& entry(ViolationCode code) noexcept {
@@ -149,6 +167,8 @@ std::string where(const Violation& violation) {
             return "vertex " + place;
         case PlaceKind::halfedge:
             return "halfedge " + place;
+        case PlaceKind::edge:
+            return "edge " + place;
     }
     return "surface";
 }

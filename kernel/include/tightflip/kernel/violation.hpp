@@ -11,7 +11,8 @@
 
 namespace tightflip::kernel {
 
-/// Hundreds name the rung of the ladder. Numbers are never reused; docs/formats.md lists them.
+/// Hundreds name the rung of the ladder; 90x compare a surface with an earlier one, 91x judge a
+/// flip by its definition. Numbers are never reused; docs/formats.md lists them.
 enum class ViolationCode : std::uint16_t {
     no_faces = 101,
     corner_out_of_range = 102,
@@ -50,18 +51,25 @@ enum class ViolationCode : std::uint16_t {
     euler_characteristic_changed = 905,
     orientability_changed = 906,
     genus_changed = 907,
+
+    refusal_unjustified = 911,
+    flip_not_as_defined = 912,
+    reference_model_disagrees = 913,
+    flip_law_broken = 914,
+    log_not_reproduced = 915,
 };
 
 /// What an index in a violation counts.
-enum class PlaceKind : std::uint8_t { surface, face, side, vertex, halfedge };
+enum class PlaceKind : std::uint8_t { surface, face, side, vertex, halfedge, edge };
 
 /// One finding: a code, the place, and a witness where the code has one.
 struct Violation {
     ViolationCode code{};
     PlaceKind kind = PlaceKind::surface;
-    Index place = -1;            ///< index of the face, side (3 * face + i), vertex or halfedge
-    std::int64_t found = 0;      ///< what was found there; its meaning depends on the code
-    std::int64_t expected = 0;   ///< what should have been there, for the 9xx codes
+    Index place = -1;              ///< index of the face, side (3 * face + i), vertex,
+                                   ///< halfedge or edge
+    std::int64_t found = 0;        ///< what was found there; its meaning depends on the code
+    std::int64_t expected = 0;     ///< what should have been there, for the 9xx codes
     std::vector<Index> witness{};  ///< see `describe(ViolationCode)`
 
     friend constexpr bool operator==(const Violation&, const Violation&) = default;

@@ -1,0 +1,47 @@
+/// \file
+/// Starts and scripts by description: what the command's `make`, the property tests and the fuzz
+/// targets generate from.
+#pragma once
+
+#include <tightflip/kernel/random.hpp>
+#include <tightflip/properties/finding.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace tightflip::properties {
+
+/// What to generate; a kind uses what it needs.
+struct StartRequest {
+    Index vertices = 4;
+    Index genus = 0;
+    std::uint64_t seed = 0;
+};
+
+/// A named kind of start.
+struct StartKind {
+    std::string_view name;
+    std::string_view description;
+    /// Of the request, what the kind needs: the least size it takes for a genus, and whether the
+    /// genus can be chosen.
+    Index (*least_vertices)(Index genus);
+    bool any_genus;
+    /// The surface; throws std::invalid_argument naming the range for sizes it cannot have.
+    Triangulation (*make)(const StartRequest& request);
+};
+
+/// All kinds, in a fixed order (byte strings of the fuzz targets refer to it; only append).
+[[nodiscard]] std::span<const StartKind> start_kinds() noexcept;
+/// The kind of that name, or nullptr.
+[[nodiscard]] const StartKind* find_start_kind(std::string_view name) noexcept;
+
+/// The largest size not above `request.vertices` that the kind can have, or its smallest.
+[[nodiscard]] Triangulation make_nearest(const StartKind& kind, StartRequest request);
+
+/// `length` edges drawn uniformly from the edges of a surface.
+[[nodiscard]] FlipScript random_script(const Triangulation& start, std::size_t length,
+                                       kernel::RandomStream& random);
+
+}  // namespace tightflip::properties
