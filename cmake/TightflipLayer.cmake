@@ -23,9 +23,11 @@ function(tightflip_add_layer name)
     endif()
 endfunction()
 
-# The warnings every target of the project is built with.
+# The warnings every target of the project is built with. GCC 12's -Wrestrict is wrong about
+# concatenated strings (GCC bug 105651).
 function(tightflip_warnings target)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
         $<$<BOOL:${TIGHTFLIP_WERROR}>:-Werror>)
 endfunction()

@@ -1,0 +1,30 @@
+# The Debian packages of each job, and how to install those that are missing. Sourced, not run.
+packages_build=(g++ cmake make libeigen3-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
+packages_test=("${packages_build[@]}" libgtest-dev libgmock-dev librapidcheck-dev libboost-graph-dev
+               pkg-config)
+packages_bench=("${packages_build[@]}" libbenchmark-dev libcgal-dev libopenmesh-dev)
+packages_lint=(clang-format clang-tidy)
+packages_fuzz=(clang libclang-rt-14-dev)
+
+# install_missing PACKAGE...: installs with apt-get what dpkg does not know to be installed.
+install_missing() {
+    local missing=() package
+    for package in "$@"; do
+        dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
+            missing+=("$package")
+    done
+    [ ${#missing[@]} -eq 0 ] && return 0
+    echo "installing: ${missing[*]}" >&2
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || {
+            echo "these Debian packages are missing, and neither root nor sudo is at hand:" \
+                 "apt-get install ${missing[*]}" >&2
+            return 1
+        }
+        as_root=(sudo)
+    fi
+    "${as_root[@]}" apt-get update -qq >&2
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}

@@ -1,0 +1,94 @@
+#include "command.hpp"
+#include "surface_input.hpp"
+#include <tightflip/kernel/file_io.hpp>
+#include <tightflip/kernel/flip_log.hpp>
+
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace tightflip::tools {
+namespace {
+
+using kernel::FlipLog;
+using kernel::Triangulation;
+
+struct Options {
+    std::string file;
+    std::string script;
+    std::vector<kernel::Index> edges;
+    std::string output_file;
+    std::string log_file;
+    InputOptions input;
+};
+
+/// The flips to do, as a log that starts from the file's surface.
+FlipLog planned(const Options& options) {
+    Triangulation start = SurfaceInput(options.file, options.input).triangulation();
+    FlipLog log{std::move(start), {}};
+    if (!options.script.empty()) {
+        FlipLog script = kernel::parse_flip_log(kernel::read_file(options.script), options.script);
+        if (script.start != log.start) {
+            throw kernel::FileError(options.script, "this log starts from another surface than " +
+                                                        options.file +
+                                                        " (or one numbered differently)");
+        }
+        log.flips = std::move(script.flips);
+    }
+    for (const kernel::Index e : options.edges)
+        log.flips.push_back({e});
+    return log;
+}
+
+Exit flip(const Output& output, const Options& options) {
+    const FlipLog log = planned(options);
+    const kernel::Replay result = replay(log);
+    Json json{{"file", options.file},
+              {"complete", result.is_complete()},
+              {"flips_done", result.done},
+              {"flips", log.flips.size()}};
+    if (!result.is_complete()) {
+        const std::string reason =
+            fmt::format("flip {} of {}: {}", result.done, log.flips.size(), result.reason);
+        json["reason"] = reason;
+        output.say(fmt::format("{}: stopped at {}; nothing was written", options.file, reason));
+        output.object(json);
+        return Exit::does_not_hold;
+    }
+    if (!options.output_file.empty()) {
+        kernel::write_file(options.output_file,
+                           [&](std::ostream& out) { write_text(out, result.surface); });
+        json["output"] = options.output_file;
+    }
+    if (!options.log_file.empty()) {
+        kernel::write_file(options.log_file, [&](std::ostream& out) { write_text(out, log); });
+        json["log"] = options.log_file;
+    }
+    output.say(fmt::format("{}: {} flips done", options.file, result.done));
+    output.object(json);
+    return Exit::holds;
+}
+
+}  // namespace
+
+void add_flip(CLI::App& app, const Output& output, Action& action) {
+    auto options = std::make_shared<Options>();
+    CLI::App* verb = app.add_subcommand("flip", "Flip edges of a surface by a log or by number");
+    verb->add_option("FILE", options->file, "Surface or mesh")->required();
+    auto* script = verb->add_option("--script", options->script, "Flip log that starts from FILE");
+    auto* edges = verb->add_option("--edges", options->edges, "Edges to flip, in order, e.g. 3,7,3")
+                      ->delimiter(',');
+    script->excludes(edges);
+    verb->add_option("-o,--output", options->output_file, "Write the flipped surface here");
+    verb->add_option("--log", options->log_file, "Write the flips as a log here");
+    options->input.add_triangulate(*verb);
+    options->input.add_reorient(*verb);
+    verb->callback([&output, &action, options] {
+        if (options->script.empty() && options->edges.empty()) {
+            throw CLI::RequiredError("--script or --edges");
+        }
+        action = [&output, options] { return flip(output, *options); };
+    });
+}
+
+}  // namespace tightflip::tools

@@ -1,0 +1,47 @@
+#include "command.hpp"
+
+#include <csignal>
+#include <exception>
+
+#include <fmt/format.h>
+
+namespace {
+
+using namespace tightflip::tools;
+
+int run(int argc, char** argv) {
+    CLI::App app("Closed triangulated surfaces and the flips between them.", "tightflip");
+    app.set_version_flag("--version", "tightflip " TIGHTFLIP_VERSION);
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.footer(
+        "Exit codes: 0 holds, 1 does not hold, 2 unusable input or usage, 3 stopped undecided.");
+    Output output;
+    app.add_flag("--json", output.as_json,
+                 "One JSON object an input on standard output, messages on standard error");
+    Action action;
+    for (const auto add : {add_make, add_check, add_campaign, add_flip, add_replay, add_info}) {
+        add(app, output, action);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::unusable);
+    }
+    return static_cast<int>(Output::finish(action()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported as a failed write
+    std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
+    try {
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        Output::complain("not enough memory");
+    } catch (const std::exception& error) {
+        Output::complain(error.what());
+    }
+    return static_cast<int>(Exit::unusable);
+}
