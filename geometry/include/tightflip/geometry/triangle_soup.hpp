@@ -1,0 +1,34 @@
+/// \file
+/// Triangles as a file lists them, with the place in the file where each of them stood.
+#pragma once
+
+#include <tightflip/kernel/file_error.hpp>
+#include <tightflip/kernel/handles.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace tightflip::geometry {
+
+using kernel::FileError;
+using kernel::Index;
+
+/// Points and corner labels; nothing says yet that they form a surface. `triangles` and
+/// `vertex_count()` are what `kernel::glue_faces` and `kernel::build` take.
+struct TriangleSoup {
+    std::vector<Eigen::Vector3d> points;          ///< finite
+    std::vector<std::array<Index, 3>> triangles;  ///< 0 <= corner < points.size(); may repeat
+
+    std::string source;                            ///< the file's name, for messages
+    FileError::Unit unit = FileError::Unit::none;  ///< of the positions: lines from 1, bytes from 0
+    std::vector<std::uint64_t> point_positions;    ///< where each point stood (first stood, in STL)
+    std::vector<std::uint64_t> triangle_positions;  ///< where each triangle, or its polygon, stood
+
+    [[nodiscard]] Index vertex_count() const noexcept { return static_cast<Index>(points.size()); }
+};
+
+}  // namespace tightflip::geometry

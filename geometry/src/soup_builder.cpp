@@ -1,0 +1,87 @@
+#include "soup_builder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tightflip::geometry {
+
+SoupBuilder::SoupBuilder(const MeshInput& input, FileError::Unit unit, std::int64_t first_label)
+    : first_label_(first_label),
+      triangulate_(input.options.triangulate_polygons),
+      max_faces_(std::clamp(input.options.max_faces, Index{0}, kernel::max_faces)) {
+    soup_.source = input.source;
+    soup_.unit = unit;
+}
+
+void SoupBuilder::reserve(std::size_t points, std::size_t triangles) {
+    const auto limit = static_cast<std::size_t>(max_faces_);
+    soup_.points.reserve(std::min(points, 3 * limit));
+    soup_.point_positions.reserve(std::min(points, 3 * limit));
+    soup_.triangles.reserve(std::min(triangles, limit));
+    soup_.triangle_positions.reserve(std::min(triangles, limit));
+}
+
+void SoupBuilder::add_point(const Eigen::Vector3d& point, std::uint64_t position) {
+    if (!point.allFinite()) {
+        fail(position, "a coordinate of vertex " + std::to_string(label_of(point_count())) +
+                           " is not finite; repair the program or the data that it came from");
+    }
+    if (point_count() == 3 * max_faces_) {
+        fail(position, "more vertices than " + std::to_string(max_faces_) + " faces have corners");
+    }
+    soup_.points.push_back(point);
+    soup_.point_positions.push_back(position);
+}
+
+void SoupBuilder::add_polygon(std::span<const std::int64_t> corners, std::uint64_t position) {
+    const std::size_t n = corners.size();
+    if (n < 3) {
+        fail(position, "a face has " + std::to_string(n) + " corners; it needs three");
+    }
+    if (n > 3 && !triangulate_) {
+        fail(position, "a face has " + std::to_string(n) +
+                           " corners, not three; triangulate the mesh, or read it with "
+                           "triangulate_polygons, which cuts every polygon into a fan");
+    }
+    if (std::cmp_greater(n - 2, max_faces_ - std::ssize(soup_.triangles))) {
+        fail(position, "more than " + std::to_string(max_faces_) + " faces, which is the limit");
+    }
+    const Index hub = checked(corners[0], position);
+    for (std::size_t i = 2; i < n; ++i) {
+        soup_.triangles.push_back(
+            {hub, checked(corners[i - 1], position), checked(corners[i], position)});
+        soup_.triangle_positions.push_back(position);
+    }
+}
+
+TriangleSoup SoupBuilder::finish() && {
+    for (std::size_t f = 0; f < soup_.triangles.size(); ++f) {
+        for (const Index corner : soup_.triangles[f]) {
+            if (corner < point_count()) continue;
+            fail(soup_.triangle_positions[f],
+                 "vertex " + std::to_string(label_of(corner)) + " does not exist: the file has " +
+                     std::to_string(point_count()) + " vertices, numbered from " +
+                     std::to_string(first_label_));
+        }
+    }
+    if (soup_.triangles.empty()) {
+        throw FileError(soup_.source, "the file has no faces, and so describes no surface");
+    }
+    return std::move(soup_);
+}
+
+Index SoupBuilder::checked(std::int64_t corner, std::uint64_t position) const {
+    if (corner < 0 || corner >= 3 * max_faces_) {
+        fail(position, "vertex " + std::to_string(label_of(corner)) +
+                           " does not exist: vertices are numbered from " +
+                           std::to_string(first_label_) + " and stay below " +
+                           std::to_string(label_of(3 * max_faces_)));
+    }
+    return static_cast<Index>(corner);
+}
+
+void SoupBuilder::fail(std::uint64_t position, std::string reason) const {
+    throw FileError(soup_.source, soup_.unit, position, std::move(reason));
+}
+
+}  // namespace tightflip::geometry

@@ -1,0 +1,45 @@
+/// \file
+/// The rules all formats share: finite points, existing corners, triangles, and the limits.
+#pragma once
+
+#include "formats.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace tightflip::geometry {
+
+/// Collects points and polygons and refuses what no format may say, at the place given with it.
+class SoupBuilder {
+public:
+    /// `unit` counts the positions; `first_label` is the number the format gives its first vertex.
+    SoupBuilder(const MeshInput& input, FileError::Unit unit, std::int64_t first_label);
+
+    /// Makes room. Only for numbers that the input's size has been seen to allow.
+    void reserve(std::size_t points, std::size_t triangles);
+
+    void add_point(const Eigen::Vector3d& point, std::uint64_t position);
+    /// Corners counted from 0 whatever the format's labels; they may name points yet to come.
+    void add_polygon(std::span<const std::int64_t> corners, std::uint64_t position);
+
+    /// The soup, now that all points are known. Refuses corners without a point, and no triangles.
+    [[nodiscard]] TriangleSoup finish() &&;
+
+    [[nodiscard]] std::int64_t point_count() const noexcept { return std::ssize(soup_.points); }
+    [[nodiscard]] std::int64_t label_of(std::int64_t corner) const noexcept {
+        return corner + first_label_;
+    }
+
+    [[noreturn]] void fail(std::uint64_t position, std::string reason) const;
+
+private:
+    [[nodiscard]] Index checked(std::int64_t corner, std::uint64_t position) const;
+
+    TriangleSoup soup_;
+    std::int64_t first_label_;
+    bool triangulate_;
+    std::int64_t max_faces_;
+};
+
+}  // namespace tightflip::geometry
