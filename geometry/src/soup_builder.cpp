@@ -40,8 +40,8 @@ void SoupBuilder::add_polygon(std::span<const std::int64_t> corners, std::uint64
     }
     if (n > 3 && !triangulate_) {
         fail(position, "a face has " + std::to_string(n) +
-                           " corners, not three; triangulate the mesh, or read it with "
-                           "triangulate_polygons, which cuts every polygon into a fan");
+                           " corners, not three; triangulate the mesh, or have every polygon cut "
+                           "into a fan (--triangulate; in the library, triangulate_polygons)");
     }
     if (std::cmp_greater(n - 2, max_faces_ - std::ssize(soup_.triangles))) {
         fail(position, "more than " + std::to_string(max_faces_) + " faces, which is the limit");

@@ -3,7 +3,7 @@
 
 namespace tightflip::kernel {
 
-AuditReport audit(const Gluing& gluing, const AuditOptions& options) {
+AuditReport audit(GluingView gluing, const AuditOptions& options) {
     return climb_audit_ladder(gluing, options);
 }
 

@@ -1,9 +1,9 @@
 #include <tightflip/kernel/file_io.hpp>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -41,23 +41,37 @@ std::string read_file(const std::filesystem::path& path) {
     errno = 0;
     std::ifstream in(path, std::ios::binary);
     if (!in) throw FileError(path.string(), "cannot be opened: " + system_reason());
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
+    std::string bytes;
+    std::array<char, 1 << 16> block{};
+    while (in.read(block.data(), block.size()) || in.gcount() > 0) {
+        bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
+    }
     if (in.bad()) throw FileError(path.string(), "cannot be read: " + system_reason());
-    return std::move(bytes).str();
+    return bytes;
 }
 
 void write_file(const std::filesystem::path& path,
                 const std::function<void(std::ostream&)>& write) {
-    const TemporaryFile temporary(path);
-    errno = 0;
-    std::ofstream out(temporary.name(), std::ios::binary | std::ios::trunc);
-    if (!out) throw FileError(path.string(), "cannot be written: " + system_reason());
-    write(out);
-    out.close();
-    if (!out) throw FileError(path.string(), "writing failed: " + system_reason());
+    const auto fill = [&](const std::filesystem::path& name) {
+        errno = 0;
+        std::ofstream out(name, std::ios::binary | std::ios::trunc);
+        if (!out) throw FileError(path.string(), "cannot be written: " + system_reason());
+        write(out);
+        out.close();
+        if (!out) throw FileError(path.string(), "writing failed: " + system_reason());
+    };
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (is_directory(status)) throw FileError(path.string(), "is a directory; name a file");
+    if (std::filesystem::is_other(status)) return fill(path);  // renaming would replace the device
+    const bool is_link = std::filesystem::is_symlink(path, ignored);
     std::error_code error;
-    std::filesystem::rename(temporary.name(), path, error);
+    const auto target = is_link ? std::filesystem::weakly_canonical(path, error) : path;
+    if (error) throw FileError(path.string(), "cannot be followed: " + error.message());
+
+    const TemporaryFile temporary(target);
+    fill(temporary.name());
+    std::filesystem::rename(temporary.name(), target, error);
     if (error) throw FileError(path.string(), "cannot be replaced: " + error.message());
 }
 

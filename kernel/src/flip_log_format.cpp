@@ -127,10 +127,11 @@ public:
         std::uint32_t value = 0;
         for (int shift = 0; shift < 35; shift += 7) {
             const auto part = static_cast<std::uint32_t>(word(1));
+            if (shift == 28 && part > 0xfU) break;  // more than 32 bits
             value |= (part & 0x7fU) << shift;
             if (part < 0x80U) return static_cast<Index>(value);
         }
-        fail("a number runs on for too many bytes");
+        fail("a number is too large for an edge");
     }
     Index count(const char* what, std::size_t least_bytes) {
         const Index value = index();

@@ -48,7 +48,7 @@ std::string_view TextCursor::word() {
 void TextCursor::require_word(std::string_view expected) {
     const std::string_view found = word();
     if (found != expected) {
-        fail("'" + std::string(expected) + "' should stand here, not " + quoted(found));
+        fail(quoted(expected) + " should stand here, not " + quoted(found));
     }
 }
 
@@ -68,7 +68,7 @@ std::int64_t TextCursor::integer(std::string_view what, std::int64_t low, std::i
 }
 
 Index TextCursor::count(std::string_view name, Index least_bytes) {
-    require_line("'" + std::string(name) + " COUNT'");
+    require_line(quoted(std::string(name) + " COUNT"));
     require_word(name);
     const std::int64_t value = integer("the count", 0);
     require_end_of_line();

@@ -1,5 +1,6 @@
 #include <tightflip/properties/invariants.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace tightflip::properties {
@@ -72,9 +73,13 @@ CheckedFlip checked_flip(Triangulation& surface, Edge e) {
 
 Violation explain(const Triangulation& surface, Edge e, ViolationCode code) {
     Violation violation{.code = code, .kind = kernel::PlaceKind::edge, .place = e.id};
-    const bool faces_are_readable =
+    const bool is_about_flips =
         code == ViolationCode::refusal_unjustified || code == ViolationCode::flip_not_as_defined;
-    if (!faces_are_readable) return violation;
+    if (!is_about_flips) {  // the audit knows the code too, and the details
+        AuditReport report = audit(surface, {.max_per_code = 1, .statistics = false});
+        const auto same = std::ranges::find(report.violations, code, &Violation::code);
+        return same != report.violations.end() ? std::move(*same) : violation;
+    }
     const SixCorners corners = corners_at(surface.table(), e);
     for (const Vertex v : corners)
         violation.witness.push_back(v.id);

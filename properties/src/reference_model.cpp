@@ -1,7 +1,7 @@
 #include <tightflip/properties/reference_model.hpp>
 
 #include <algorithm>
-#include <set>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace tightflip::properties {
@@ -10,7 +10,7 @@ namespace {
 using Word = std::array<Index, 3>;
 
 Word begun_with(Word word, Index s) {
-    std::ranges::rotate(word, std::ranges::find(word, s));
+    std::rotate(word.begin(), std::ranges::find(word, s), word.end());
     return word;
 }
 
@@ -20,6 +20,11 @@ Word inverse(const Word& word) {
 
 bool contains(const Word& word, Index s) {
     return std::ranges::find(word, s) != word.end();
+}
+
+template <class Items>
+auto& nth(Items& items, Index i) {
+    return items[static_cast<std::size_t>(i)];
 }
 
 /// One name for the three rotations of a word.
@@ -33,7 +38,7 @@ ReferenceModel::ReferenceModel(const Triangulation& surface)
     : vertex_count_(surface.vertex_count()) {
     for (Index e = 0; e < surface.edge_count(); ++e) {
         const kernel::Halfedge h = halfedge_of(Edge{e});
-        ends_[e] = {surface.origin(h).id, surface.target(h).id};
+        ends_.emplace_back(surface.origin(h).id, surface.target(h).id);
     }
     for (const kernel::Halfedge side : surface.faces()) {
         Word word{};
@@ -42,43 +47,41 @@ ReferenceModel::ReferenceModel(const Triangulation& surface)
             s = h.id % 2 == 0 ? h.id / 2 + 1 : -(h.id / 2 + 1);
             h = surface.next(h);
         }
-        faces_[static_cast<Index>(faces_.size())] = word;
+        faces_.push_back(word);
     }
 }
 
-ReferenceModel::ReferenceModel(const Gluing& gluing) : vertex_count_(gluing.vertex_count) {
+ReferenceModel::ReferenceModel(const Gluing& gluing)
+    : faces_(gluing.faces.size()), vertex_count_(gluing.vertex_count) {
     if (!kernel::audit(gluing).is_closed_surface()) {
         throw std::invalid_argument("a reference model needs a closed connected surface");
     }
-    std::map<Index, SignedEdge> edge_of_side;
-    for (Index f = 0; f < static_cast<Index>(gluing.faces.size()); ++f) {
-        const auto& [corners, sides] = gluing.faces[static_cast<std::size_t>(f)];
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Index side = 3 * f + static_cast<Index>(i);
-            if (!edge_of_side.contains(side)) {
-                const auto e = static_cast<Index>(ends_.size());
-                ends_[e] = {corners[i], corners[(i + 1) % 3]};
-                edge_of_side[side] = e + 1;
-                edge_of_side[sides[i].side()] =
-                    gluing.faces[static_cast<std::size_t>(sides[i].side() / 3)]
-                                .corners[static_cast<std::size_t>(sides[i].side() % 3)] ==
-                            corners[i]
-                        ? e + 1
-                        : -(e + 1);
-            }
-            faces_[f][i] = edge_of_side[side];
+    std::vector<SignedEdge> edge_of_side(3 * gluing.faces.size());  // 0: not yet known
+    for (Index side = 0; side < static_cast<Index>(edge_of_side.size()); ++side) {
+        if (nth(edge_of_side, side) == 0) {
+            const auto start_of = [&](Index s) {
+                return nth(nth(gluing.faces, s / 3).corners, s % 3);
+            };
+            const Index other = nth(nth(gluing.faces, side / 3).sides, side % 3).side();
+            const Index from = start_of(side);
+            ends_.emplace_back(from, start_of(side - side % 3 + (side + 1) % 3));
+            const auto forwards = static_cast<SignedEdge>(ends_.size());
+            nth(edge_of_side, side) = forwards;
+            nth(edge_of_side, other) = start_of(other) == from ? forwards : -forwards;
         }
+        nth(nth(faces_, side / 3), side % 3) = nth(edge_of_side, side);
     }
 }
 
 Index ReferenceModel::start(SignedEdge s) const {
-    return s > 0 ? ends_.at(s - 1).first : ends_.at(-s - 1).second;
+    return s > 0 ? nth(ends_, s - 1).first : nth(ends_, -s - 1).second;
 }
 
 ReferenceModel::Pair ReferenceModel::around(Edge e) const {
     const SignedEdge s = e.id + 1;
     Pair pair{-1, -1, {}, {}};
-    for (const auto& [face, word] : faces_) {
+    for (Index face = 0; face < static_cast<Index>(faces_.size()); ++face) {
+        const Word& word = nth(faces_, face);
         if (!contains(word, s) && !contains(word, -s)) continue;
         // With both signs about, the first is the face that has +e; with one sign twice, either.
         if (pair.first_face < 0) {
@@ -110,9 +113,9 @@ bool ReferenceModel::flip(Edge e) {
     const auto [first_face, second_face, first, second] = around(e);
     const auto& [plus, x, y] = first;
     const auto& [minus, p, q] = second;
-    ends_[e.id] = {start(q), start(y)};
-    faces_[first_face] = {plus, y, p};
-    faces_[second_face] = {minus, q, x};
+    nth(ends_, e.id) = {start(q), start(y)};
+    nth(faces_, first_face) = {plus, y, p};
+    nth(faces_, second_face) = {minus, q, x};
     return true;
 }
 
@@ -121,31 +124,32 @@ bool ReferenceModel::unflip(Edge e) {
     const auto [first_face, second_face, first, second] = around(e);
     const auto& [plus, y, p] = first;
     const auto& [minus, q, x] = second;
-    ends_[e.id] = {start(p), start(x)};
-    faces_[first_face] = {plus, x, y};
-    faces_[second_face] = {minus, p, q};
+    nth(ends_, e.id) = {start(p), start(x)};
+    nth(faces_, first_face) = {plus, x, y};
+    nth(faces_, second_face) = {minus, p, q};
     return true;
 }
 
 Gluing ReferenceModel::gluing() const {
     Gluing gluing{.vertex_count = vertex_count_, .faces = {}};
-    std::map<Index, std::vector<std::pair<Index, bool>>> places;  // edge -> side, forwards
-    for (const auto& [face, word] : faces_) {
+    std::vector<Index> first_side(ends_.size(), -1);  // where an edge was met first
+    for (const Word& word : faces_) {
         kernel::GluedFace& glued = gluing.faces.emplace_back();
         for (std::size_t i = 0; i < 3; ++i) {
             glued.corners[i] = start(word[i]);
             const auto side = static_cast<Index>(3 * (gluing.faces.size() - 1) + i);
-            places[std::abs(word[i]) - 1].emplace_back(side, word[i] > 0);
-        }
-    }
-    for (const auto& [edge, sides] : places) {
-        for (std::size_t k = 0; k < sides.size(); ++k) {
-            const auto& [side, forwards] = sides[k];
-            const auto& [other, other_forwards] = sides[sides.size() - 1 - k];
-            gluing.faces[static_cast<std::size_t>(side / 3)]
-                .sides[static_cast<std::size_t>(side % 3)] =
-                forwards == other_forwards ? kernel::SideGluing::reversed(other)
-                                           : kernel::SideGluing::coherent(other);
+            Index& first = nth(first_side, std::abs(word[i]) - 1);
+            if (first < 0) {
+                first = side;
+                continue;
+            }
+            const bool same_sign = nth(nth(faces_, first / 3), first % 3) == word[i];
+            const auto glue = [&](Index s, Index t) {
+                nth(nth(gluing.faces, s / 3).sides, s % 3) =
+                    same_sign ? kernel::SideGluing::reversed(t) : kernel::SideGluing::coherent(t);
+            };
+            glue(first, side);
+            glue(side, first);
         }
     }
     return gluing;
@@ -153,17 +157,18 @@ Gluing ReferenceModel::gluing() const {
 
 std::optional<Edge> ReferenceModel::difference(const Triangulation& surface) const {
     const ReferenceModel other(surface);
-    for (const auto& [edge, ends] : ends_) {
-        const auto found = other.ends_.find(edge);
-        if (found == other.ends_.end() || found->second != ends) return Edge{edge};
+    const auto [mine, others] = std::ranges::mismatch(ends_, other.ends_);
+    if (mine != ends_.end()) return Edge{static_cast<Index>(mine - ends_.begin())};
+    if (others != other.ends_.end() || other.faces_.size() != faces_.size()) return Edge{0};
+    std::vector<Word> words;
+    for (const Word& word : other.faces_)
+        words.push_back(least_rotation(word));
+    std::ranges::sort(words);
+    for (const Word& word : faces_) {
+        if (!std::ranges::binary_search(words, least_rotation(word))) {
+            return Edge{std::abs(word[0]) - 1};
+        }
     }
-    std::set<Word> words;
-    for (const auto& [face, word] : other.faces_)
-        words.insert(least_rotation(word));
-    for (const auto& [face, word] : faces_) {
-        if (!words.contains(least_rotation(word))) return Edge{std::abs(word[0]) - 1};
-    }
-    if (other.faces_.size() != faces_.size()) return Edge{0};
     return std::nullopt;
 }
 

@@ -2,7 +2,8 @@
 
 #include <tightflip/kernel/file_error.hpp>
 
-#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
@@ -18,6 +19,21 @@ std::string reason_of(const std::exception& error) {
         return "not enough memory for this input";
     }
     return error.what();
+}
+
+/// A line that can be read as soon as it is written: a script may wait for it.
+void print_line(std::string_view line) {
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    std::fputc('\n', stdout);
+    std::fflush(stdout);  // what fails is remembered by the stream; see Output::is_broken
+}
+
+/// Whether the whole text is one number.
+template <class Number>
+bool parse(const std::string& text, Number& value) {
+    const char* const end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc{} && stopped == end;
 }
 
 }  // namespace
@@ -40,20 +56,24 @@ Exit worse(Exit a, Exit b) noexcept {
 }
 
 void Output::say(std::string_view line) const {
-    if (!as_json) fmt::print("{}\n", line);
+    if (!as_json) print_line(line);
 }
 
 void Output::object(const Json& json) const {
     // Names of files need not be UTF-8; a byte that is not is replaced, never thrown over.
-    if (as_json) fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    if (as_json) print_line(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void Output::complain(std::string_view line) {
     fmt::print(stderr, "tightflip: {}\n", line);
 }
 
+bool Output::is_broken() {
+    return std::ferror(stdout) != 0;
+}
+
 Exit Output::finish(Exit exit) {
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit;
+    if (std::fflush(stdout) == 0 && !is_broken()) return exit;
     complain("the results could not be written to standard output");
     return Exit::unusable;
 }
@@ -62,6 +82,7 @@ Exit for_each_input(const Output& output, const std::vector<std::string>& inputs
                     const std::function<Exit(const std::string&)>& judge) {
     Exit exit = Exit::holds;
     for (const std::string& input : inputs) {
+        if (Output::is_broken()) break;
         try {
             exit = worse(exit, judge(input));
         } catch (const std::exception& error) {
@@ -71,6 +92,24 @@ Exit for_each_input(const Output& output, const std::vector<std::string>& inputs
         }
     }
     return exit;
+}
+
+CLI::Validator whole_number(std::uint64_t least) {
+    return {[least](std::string& text) {
+                std::uint64_t value = 0;
+                if (parse(text, value) && value >= least) return std::string{};
+                return fmt::format("'{}' is no whole number from {} up", text, least);
+            },
+            ""};
+}
+
+CLI::Validator seconds() {
+    return {[](std::string& text) {
+                double value = 0;
+                if (parse(text, value) && std::isfinite(value) && value >= 0) return std::string{};
+                return fmt::format("'{}' is no number of seconds", text);
+            },
+            ""};
 }
 
 }  // namespace tightflip::tools

@@ -3,6 +3,7 @@
 /// input.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -32,14 +33,21 @@ public:
     void object(const Json& json) const;
     /// A message on stderr.
     static void complain(std::string_view line);
-    /// Results that could not be written (a full disk, a closed pipe) make the run unusable.
+    /// Whether results were lost, to a full disk or a closed pipe.
+    [[nodiscard]] static bool is_broken();
+    /// The code to exit with: lost results make the run unusable.
     [[nodiscard]] static Exit finish(Exit exit);
 };
 
 /// Runs `judge` on each input; one that is unusable gets its message and, with --json, an object
-/// with the key "error", and the others go on.
+/// with the key "error", and the others go on, for as long as results can be written.
 [[nodiscard]] Exit for_each_input(const Output& output, const std::vector<std::string>& inputs,
                                   const std::function<Exit(const std::string&)>& judge);
+
+/// Checks of options: a whole number not below `least`, and a number of seconds. The parser alone
+/// would take -1 for the largest number there is, and "nan" for a time.
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t least = 0);
+[[nodiscard]] CLI::Validator seconds();
 
 /// A verb adds its options to the application and keeps what to do when it is called.
 using Action = std::function<Exit()>;

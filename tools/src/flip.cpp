@@ -40,6 +40,19 @@ FlipLog planned(const Options& options) {
     return log;
 }
 
+/// The files asked for: both or, where one cannot be written, neither.
+void write(const Options& options, const FlipLog& log, const Triangulation& surface) {
+    const auto write_log = [&] {
+        if (options.log_file.empty()) return;
+        kernel::write_file(options.log_file, [&](std::ostream& out) { write_text(out, log); });
+    };
+    if (options.output_file.empty()) return write_log();
+    kernel::write_file(options.output_file, [&](std::ostream& out) {
+        write_text(out, surface);
+        if (out.flush()) write_log();  // before the surface takes its name
+    });
+}
+
 Exit flip(const Output& output, const Options& options) {
     const FlipLog log = planned(options);
     const kernel::Replay result = replay(log);
@@ -55,15 +68,9 @@ Exit flip(const Output& output, const Options& options) {
         output.object(json);
         return Exit::does_not_hold;
     }
-    if (!options.output_file.empty()) {
-        kernel::write_file(options.output_file,
-                           [&](std::ostream& out) { write_text(out, result.surface); });
-        json["output"] = options.output_file;
-    }
-    if (!options.log_file.empty()) {
-        kernel::write_file(options.log_file, [&](std::ostream& out) { write_text(out, log); });
-        json["log"] = options.log_file;
-    }
+    write(options, log, result.surface);
+    if (!options.output_file.empty()) json["output"] = options.output_file;
+    if (!options.log_file.empty()) json["log"] = options.log_file;
     output.say(fmt::format("{}: {} flips done", options.file, result.done));
     output.object(json);
     return Exit::holds;
@@ -77,7 +84,8 @@ void add_flip(CLI::App& app, const Output& output, Action& action) {
     verb->add_option("FILE", options->file, "Surface or mesh")->required();
     auto* script = verb->add_option("--script", options->script, "Flip log that starts from FILE");
     auto* edges = verb->add_option("--edges", options->edges, "Edges to flip, in order, e.g. 3,7,3")
-                      ->delimiter(',');
+                      ->delimiter(',')
+                      ->check(whole_number());
     script->excludes(edges);
     verb->add_option("-o,--output", options->output_file, "Write the flipped surface here");
     verb->add_option("--log", options->log_file, "Write the flips as a log here");
@@ -87,7 +95,13 @@ void add_flip(CLI::App& app, const Output& output, Action& action) {
         if (options->script.empty() && options->edges.empty()) {
             throw CLI::RequiredError("--script or --edges");
         }
-        action = [&output, options] { return flip(output, *options); };
+        if (!options->output_file.empty() && options->output_file == options->log_file) {
+            throw CLI::ValidationError("--log", "must be another file than --output");
+        }
+        action = [&output, options] {
+            return for_each_input(output, {options->file},
+                                  [&](const std::string&) { return flip(output, *options); });
+        };
     });
 }
 

@@ -16,6 +16,9 @@ int run(int argc, char** argv) {
     app.fallthrough();
     app.footer(
         "Exit codes: 0 holds, 1 does not hold, 2 unusable input or usage, 3 stopped undecided.");
+    app.failure_message([](const CLI::App* parsed, const CLI::Error& error) {
+        return "tightflip: " + CLI::FailureMessage::simple(parsed, error);
+    });
     Output output;
     app.add_flag("--json", output.as_json,
                  "One JSON object an input on standard output, messages on standard error");
@@ -26,7 +29,8 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::unusable);
+        const bool was_asked_for = app.exit(error) == 0;  // --help and --version
+        return static_cast<int>(Output::finish(was_asked_for ? Exit::holds : Exit::unusable));
     }
     return static_cast<int>(Output::finish(action()));
 }

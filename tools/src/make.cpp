@@ -1,7 +1,7 @@
 #include "command.hpp"
+#include "kinds.hpp"
 #include <tightflip/kernel/file_io.hpp>
 #include <tightflip/kernel/surface_text.hpp>
-#include <tightflip/properties/generators.hpp>
 
 #include <memory>
 
@@ -10,43 +10,24 @@
 namespace tightflip::tools {
 namespace {
 
-using properties::StartKind;
-using properties::StartRequest;
-
 struct Options {
     std::string kind;
     std::optional<kernel::Index> vertices;
-    StartRequest request;
+    properties::StartRequest request;
     std::string file;
 };
 
-std::string kinds_in_words() {
-    std::string text = "One of:";
-    for (const StartKind& kind : properties::start_kinds()) {
-        text += fmt::format("\n  {:<13} {}", kind.name, kind.description);
-    }
-    return text;
-}
-
 Exit make(const Output& output, Options options) {
-    const StartKind* kind = properties::find_start_kind(options.kind);
-    if (kind == nullptr) {
-        throw std::invalid_argument("there is no kind '" + options.kind +
-                                    "'; 'tightflip make --help' lists them");
-    }
-    if (options.request.genus != 0 && !kind->any_genus) {
-        throw std::invalid_argument("the genus of a " + options.kind +
-                                    " cannot be chosen; use the kinds 'genus' or 'random'");
-    }
+    const properties::StartKind& kind = kind_named(options.kind, options.request.genus);
     options.request.vertices =
-        options.vertices.value_or(kind->least_vertices(options.request.genus));
-    const kernel::Triangulation surface = kind->make(options.request);
+        options.vertices.value_or(kind.least_vertices(options.request.genus));
+    const kernel::Triangulation surface = kind.make(options.request);
     kernel::write_file(options.file, [&](std::ostream& out) { kernel::write_text(out, surface); });
     output.say(fmt::format("{}: {} vertices, {} edges, {} faces, genus {}", options.file,
                            surface.vertex_count(), surface.edge_count(), surface.face_count(),
                            surface.genus()));
     output.object({{"file", options.file},
-                   {"kind", kind->name},
+                   {"kind", kind.name},
                    {"vertices", surface.vertex_count()},
                    {"edges", surface.edge_count()},
                    {"faces", surface.face_count()},
@@ -61,12 +42,17 @@ void add_make(CLI::App& app, const Output& output, Action& action) {
     auto options = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("make", "Make a surface and write it to a file");
     verb->add_option("KIND", options->kind, kinds_in_words())->required();
-    verb->add_option("--vertices", options->vertices, "Number of vertices (least the kind has)");
-    verb->add_option("--genus", options->request.genus, "Genus (0)")->check(CLI::NonNegativeNumber);
-    verb->add_option("--seed", options->request.seed, "Seed of the random stream (0)");
+    verb->add_option("--vertices", options->vertices, "Number of vertices (least the kind has)")
+        ->check(whole_number());
+    verb->add_option("--genus", options->request.genus, "Genus (0)")->check(whole_number());
+    verb->add_option("--seed", options->request.seed, "Seed of the random stream (0)")
+        ->check(whole_number());
     verb->add_option("-o,--output", options->file, "File to write")->required();
     verb->callback([&output, &action, options] {
-        action = [&output, options] { return make(output, *options); };
+        action = [&output, options] {
+            return for_each_input(output, {options->file},
+                                  [&](const std::string&) { return make(output, *options); });
+        };
     });
 }
 

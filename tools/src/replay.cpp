@@ -67,7 +67,8 @@ void add_replay(CLI::App& app, const Output& output, Action& action) {
         app.add_subcommand("replay", "Follow a flip log, checking every flip and auditing its end");
     verb->add_option("LOG", options->logs, "Flip logs, text or binary")->required();
     verb->add_option("--audit-every", options->audit_every,
-                     "Full audits in between, every so many flips (only at the end)");
+                     "Full audits in between, every so many flips (only at the end)")
+        ->check(whole_number(1));
     verb->add_option("-o,--output", options->output_file, "Write the last surface here");
     verb->callback([&output, &action, options] {
         if (options->logs.size() > 1 && !options->output_file.empty()) {

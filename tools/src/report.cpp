@@ -42,6 +42,8 @@ Json to_json(const AuditReport& report, const PlaceInWords& where) {
               {"genus", or_null(t.genus)},
               {"simple", or_null(report.is_simple())},
               {"coherently_stored", report.coherently_stored}};
+    for (const char* key : {"degrees", "parallel_edges"})
+        json[key] = nullptr;
     if (!report.reached_top) {  // the tables name what does not exist; little can be said
         for (const char* key : {"components", "euler_characteristic", "orientable"}) {
             json[key] = nullptr;

@@ -38,6 +38,11 @@ SurfaceInput::SurfaceInput(const std::string& path, const InputOptions& options)
         return;
     }
     const auto format = geometry::detect_mesh_format(bytes, path);
+    if (!format && !bytes.empty()) {
+        throw FileError(path,
+                        "this is neither a tightflip format nor, by its content or its name's "
+                        "extension, an OBJ, OFF, PLY or STL file");
+    }
     geometry::TriangleSoup soup = geometry::read_mesh(
         bytes, path, {.format = format, .triangulate_polygons = options.triangulate});
     format_ = geometry::name(*format);
@@ -68,8 +73,12 @@ kernel::Triangulation SurfaceInput::triangulation() const {
     AuditReport report = audit();
     if (!report.is_valid()) {
         const Violation& first = report.violations.front();
-        throw FileError(path_, where(first) + ": " + message(first) +
-                                   " ('tightflip check' lists all violations)");
+        const auto* mesh = std::get_if<Mesh>(&content_);
+        const auto position = mesh != nullptr ? file_position(mesh->soup, first) : std::nullopt;
+        throw FileError(path_, position ? mesh->soup.unit : FileError::Unit::none,
+                        position.value_or(0),
+                        kernel::where(first) + ": " + message(first) +
+                            " ('tightflip check' lists all violations)");
     }
     if (const auto* surface = std::get_if<kernel::RawSurface>(&content_)) {
         return build(*surface).value();

@@ -90,6 +90,9 @@ struct AuditReport {
 
 /// Judges a gluing. Linear time; about 13 bytes of scratch a side. Never throws on bad data.
 /// In constant expressions use `audit_ladder.hpp`.
-[[nodiscard]] AuditReport audit(const Gluing& gluing, const AuditOptions& options = {});
+[[nodiscard]] AuditReport audit(GluingView gluing, const AuditOptions& options = {});
+[[nodiscard]] inline AuditReport audit(const Gluing& gluing, const AuditOptions& options = {}) {
+    return audit(GluingView(gluing), options);
+}
 
 }  // namespace tightflip::kernel

@@ -16,7 +16,7 @@ namespace detail {
 /// orientation; vertices), and a fourth for parallel edges where statistics are wanted.
 class AuditLadder {
 public:
-    constexpr AuditLadder(const Gluing& gluing, const AuditOptions& options)
+    constexpr AuditLadder(GluingView gluing, const AuditOptions& options)
         : vertex_count_(gluing.vertex_count), faces_(gluing.faces), options_(options) {}
 
     constexpr AuditReport climb() {
@@ -86,7 +86,8 @@ private:
     }
     [[nodiscard]] constexpr bool points_back(Index s, Index t) const noexcept {
         return raw(t).is_glued() && raw(t).side() == s &&
-               (!is_loop(s) || raw(t).is_reversed() == raw(s).is_reversed());
+               (!(is_loop(s) && agree_coherently(s, t)) ||
+                raw(t).is_reversed() == raw(s).is_reversed());
     }
     [[nodiscard]] constexpr bool is_sound(Index s, Index t) const noexcept {
         return t != s && points_back(s, t) && (agree_coherently(s, t) || agree_reversed(s, t));
@@ -155,7 +156,8 @@ private:
         if (!raw(s).is_glued()) return report(ViolationCode::side_unglued, -1);
         const Index t = raw(s).side();
         if (t < 0 || t >= 3 * face_count()) {
-            add_broken_table(ViolationCode::gluing_out_of_range, s, t, 3 * face_count());
+            add_broken_table(ViolationCode::gluing_out_of_range, s, t,
+                             3 * std::int64_t{face_count()});
             return false;
         }
         if (t == s) return report(ViolationCode::side_glued_to_itself, t);
@@ -228,12 +230,12 @@ private:
         if (starts.size() > 1) judge_connectedness(order, starts);
         if (conflict.exists()) {
             std::vector<Index> cycle = orientation_reversing_cycle(conflict.side);
-            const Index first = cycle.front();
-            add({.code = ViolationCode::not_orientable,
-                 .kind = PlaceKind::face,
-                 .place = first,
-                 .found = static_cast<std::int64_t>(cycle.size()),
-                 .witness = std::move(cycle)});
+            Violation violation{.code = ViolationCode::not_orientable,
+                                .kind = PlaceKind::face,
+                                .place = cycle.front(),
+                                .found = static_cast<std::int64_t>(cycle.size())};
+            violation.witness = std::move(cycle);
+            add(std::move(violation));
         }
     }
 
@@ -280,8 +282,8 @@ private:
         report(ViolationCode::faces_not_strongly_connected, sizes);
     }
 
-    /// The faces of a cycle along which orientation is reversed, given a side at which it shows:
-    /// breadth-first from the face of `side` on its orientation cover, back to the face's other
+    /// The faces of a simple cycle along which orientation is reversed, given a side at which it
+    /// shows: breadth-first from the face of `side` on its orientation cover to the face's other
     /// sheet. Only run where a surface is not orientable.
     [[nodiscard]] constexpr std::vector<Index> orientation_reversing_cycle(Index side) const {
         const Index root = 2 * (side / 3);
@@ -300,11 +302,19 @@ private:
                 queue.push_back(to);
             }
         }
+        // The way back passes some face on both sheets, the root at the latest; between the first
+        // two such passes no face comes twice.
         std::vector<Index> cycle;
-        for (Index node = root + 1; node != root; node = parent[static_cast<std::size_t>(node)]) {
+        std::vector<Index> passed_at(faces_.size(), -1);
+        for (Index node = root + 1;; node = parent[static_cast<std::size_t>(node)]) {
+            Index& passed = passed_at[static_cast<std::size_t>(node / 2)];
+            if (passed >= 0) {
+                cycle.erase(cycle.begin(), cycle.begin() + passed);
+                break;
+            }
+            passed = static_cast<Index>(cycle.size());
             cycle.push_back(node / 2);
         }
-        std::ranges::reverse(cycle);
         return cycle;
     }
 
@@ -434,7 +444,7 @@ private:
 }  // namespace detail
 
 /// `audit`, for constant expressions.
-[[nodiscard]] constexpr AuditReport climb_audit_ladder(const Gluing& gluing,
+[[nodiscard]] constexpr AuditReport climb_audit_ladder(GluingView gluing,
                                                        const AuditOptions& options = {}) {
     return detail::AuditLadder(gluing, options).climb();
 }

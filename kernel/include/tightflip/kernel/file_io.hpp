@@ -16,7 +16,8 @@ namespace tightflip::kernel {
 
 /// Lets `write` fill a temporary file beside `path`, then renames it to `path`. Where anything
 /// fails (no permission, disk full, an exception from `write`) the temporary file is removed, what
-/// stood at `path` stays as it was, and FileError or the exception is thrown.
+/// stood at `path` stays as it was, and FileError or the exception is thrown. A symbolic link stays
+/// one, and what it names is replaced; a device or pipe is written straight.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace tightflip::kernel

@@ -73,33 +73,43 @@ namespace detail {
     return detail::judge(table, Quadrilateral::around(table, e));
 }
 
+namespace detail {
+/// Turns edge ab where that is allowed; `turned` becomes its side dc and twin(turned) its side cd.
+/// The halfedges are plain locals and not a Quadrilateral: compilers keep these in registers.
+[[nodiscard]] constexpr FlipVerdict turn_edge(MutableHalfedgeTable table, Edge e,
+                                              Halfedge turned) noexcept {
+    const Halfedge h = halfedge_of(e);
+    const Halfedge t = twin(h);
+    const Halfedge h1 = at(table, h).next;
+    const Halfedge t1 = at(table, t).next;
+    const Halfedge h2 = at(table, h1).next;
+    const Halfedge t2 = at(table, t1).next;
+    const Vertex c = at(table, h2).origin;
+    const Vertex d = at(table, t2).origin;
+    if (!flip_keeps_corners_distinct(c, d)) return FlipRefusal::opposite_corners_coincide;
+    const Halfedge dc = turned;
+    const Halfedge cd = twin(turned);
+    at(table, dc).next = h2;
+    at(table, dc).origin = d;
+    at(table, cd).next = t2;
+    at(table, cd).origin = c;
+    at(table, h2).next = t1;
+    at(table, t1).next = dc;
+    at(table, t2).next = h1;
+    at(table, h1).next = cd;
+    return FlipRefusal::none;
+}
+}  // namespace detail
+
 /// The EDF on `e`; where it is refused the table is unchanged. Four times is the identity; twice
 /// exchanges the two halfedges of `e`.
 constexpr FlipVerdict flip(MutableHalfedgeTable table, Edge e) noexcept {
-    const auto q = Quadrilateral::around(table, e);
-    const FlipVerdict verdict = detail::judge(table, q);
-    if (!verdict) return verdict;
-    at(table, q.h) = {q.h2, at(table, q.t2).origin};
-    at(table, q.t) = {q.t2, at(table, q.h2).origin};
-    at(table, q.h2).next = q.t1;
-    at(table, q.t1).next = q.h;
-    at(table, q.t2).next = q.h1;
-    at(table, q.h1).next = q.t;
-    return verdict;
+    return detail::turn_edge(table, e, halfedge_of(e));
 }
 
 /// The exact inverse of `flip`, bit for bit; refused where the flip is, for then no flip led here.
 constexpr FlipVerdict unflip(MutableHalfedgeTable table, Edge e) noexcept {
-    const auto q = Quadrilateral::around(table, e);
-    const FlipVerdict verdict = detail::judge(table, q);
-    if (!verdict) return verdict;
-    at(table, q.h) = {q.t2, at(table, q.h2).origin};
-    at(table, q.t) = {q.h2, at(table, q.t2).origin};
-    at(table, q.t2).next = q.h1;
-    at(table, q.h1).next = q.h;
-    at(table, q.h2).next = q.t1;
-    at(table, q.t1).next = q.t;
-    return verdict;
+    return detail::turn_edge(table, e, twin(halfedge_of(e)));
 }
 
 }  // namespace tightflip::kernel

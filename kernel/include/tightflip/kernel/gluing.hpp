@@ -10,6 +10,7 @@
 
 #include <array>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace tightflip::kernel {
@@ -65,6 +66,17 @@ struct Gluing {
     std::vector<GluedFace> faces;
 
     friend constexpr bool operator==(const Gluing&, const Gluing&) noexcept = default;
+};
+
+/// A gluing in anybody's memory, for those who only read: a vector's, an array's, a mapped file's.
+struct GluingView {
+    Index vertex_count = 0;
+    std::span<const GluedFace> faces;
+
+    constexpr GluingView(Index vertices, std::span<const GluedFace> table) noexcept
+        : vertex_count(vertices), faces(table) {}
+    constexpr GluingView(const Gluing& gluing) noexcept  // NOLINT(google-explicit-constructor)
+        : vertex_count(gluing.vertex_count), faces(gluing.faces) {}
 };
 
 [[nodiscard]] constexpr Index side_of(Index face, int i) noexcept {

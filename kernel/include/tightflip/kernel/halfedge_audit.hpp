@@ -78,9 +78,16 @@ struct TableReading {
     report.topology.vertices = vertex_count;
     report.topology.edges = static_cast<Index>(table.size() / 2);
     report.violation_count = static_cast<std::int64_t>(reading.violations.size());
-    const auto kept = std::min(report.violation_count, options.max_per_code);
-    reading.violations.resize(static_cast<std::size_t>(kept));
-    report.violations = std::move(reading.violations);
+    std::ranges::sort(reading.violations, [](const Violation& a, const Violation& b) {
+        return std::pair(a.code, a.place) < std::pair(b.code, b.place);
+    });
+    ViolationCode code{};
+    std::int64_t of_code = 0;
+    for (Violation& violation : reading.violations) {
+        of_code = violation.code == code ? of_code + 1 : 1;
+        code = violation.code;
+        if (of_code <= options.max_per_code) report.violations.push_back(std::move(violation));
+    }
     return report;
 }
 
@@ -91,6 +98,7 @@ struct TableReading {
 /// The part of the audit that one flip can break and constant time can see: the two faces at `e`
 /// are triangles with distinct corners, their six sides agree with the faces behind them about
 /// which vertices they join, and both obey the three-neighbour rule. Empty where all holds.
+/// Precondition: the table has an even number of halfedges and `e` is one of its edges.
 [[nodiscard]] constexpr std::optional<ViolationCode> audit_at_edge(HalfedgeTable table,
                                                                    Index vertex_count,
                                                                    Edge e) noexcept {

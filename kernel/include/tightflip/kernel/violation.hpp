@@ -69,7 +69,7 @@ struct Violation {
     Index place = -1;              ///< index of the face, side (3 * face + i), vertex,
                                    ///< halfedge or edge
     std::int64_t found = 0;        ///< what was found there; its meaning depends on the code
-    std::int64_t expected = 0;     ///< what should have been there, for the 9xx codes
+    std::int64_t expected = 0;     ///< what should have been there, where the code compares
     std::vector<Index> witness{};  ///< see `describe(ViolationCode)`
 
     friend constexpr bool operator==(const Violation&, const Violation&) = default;

@@ -24,11 +24,11 @@ struct CampaignOptions {
     /// A full audit after that many attempts, besides one at each end; 0: 32 times the number of
     /// edges, so that audits cost a few per cent of the run.
     std::uint64_t audit_every = 0;
-    std::optional<std::chrono::duration<double>> time_limit;
+    std::optional<std::chrono::duration<double>> time_limit{};
     /// Asked now and then; true stops the campaign, undecided.
-    std::function<bool()> interrupted;
+    std::function<bool()> interrupted{};
     /// Called now and then.
-    std::function<void(const CampaignProgress&)> progress;
+    std::function<void(const CampaignProgress&)> progress{};
 };
 
 /// A violation, made small.

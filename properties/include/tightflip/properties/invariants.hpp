@@ -27,7 +27,8 @@ struct CheckedFlip {
 /// the definition names, and `audit_at_edge` finds nothing.
 [[nodiscard]] CheckedFlip checked_flip(Triangulation& surface, Edge e);
 
-/// The violation behind a code that `checked_flip` has just returned, with its details.
+/// The violation behind a code that `checked_flip` has just returned, with its details. Linear
+/// time.
 [[nodiscard]] Violation explain(const Triangulation& surface, Edge e, ViolationCode code);
 
 }  // namespace tightflip::properties

@@ -5,9 +5,9 @@
 #include <tightflip/kernel/build.hpp>
 
 #include <array>
-#include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace tightflip::properties {
 
@@ -19,7 +19,7 @@ using kernel::Triangulation;
 /// A closed surface as a topologist writes it: every face a cyclic word of three signed edges,
 /// every edge in two places. An edge that occurs with both signs is glued coherently; with one sign
 /// twice, reversed; so orientability is something this model could lose. The flip turns a face over
-/// where it must. Maps and scans throughout: a flip takes time linear in the surface.
+/// where it must. Lists and scans throughout: a flip takes time linear in the surface.
 class ReferenceModel {
 public:
     /// Edge e of the surface is edge e here, run through forwards by its even halfedge.
@@ -54,8 +54,8 @@ private:
     [[nodiscard]] Index start(SignedEdge s) const;
     [[nodiscard]] Pair around(Edge e) const;
 
-    std::map<Index, std::pair<Index, Index>> ends_;  ///< edge -> from, to
-    std::map<Index, Word> faces_;
+    std::vector<std::pair<Index, Index>> ends_;  ///< of each edge: from, to
+    std::vector<Word> faces_;
     Index vertex_count_ = 0;
 };
 

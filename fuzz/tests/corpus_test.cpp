@@ -1,0 +1,63 @@
+// What the regression corpus is there for; that every claim holds of it is the replayer's test.
+
+#include "decode.hpp"
+#include <tightflip/kernel/file_io.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace tightflip::fuzz {
+namespace {
+
+std::vector<kernel::FlipLog> corpus() {
+    std::vector<kernel::FlipLog> logs;
+    for (const auto& entry : std::filesystem::directory_iterator(TIGHTFLIP_FUZZ_CORPUS)) {
+        const std::string text = kernel::read_file(entry.path());
+        logs.push_back(decode(std::vector<std::uint8_t>(text.begin(), text.end())).log());
+    }
+    return logs;
+}
+
+/// The least degree that any vertex has at any step.
+kernel::Index least_degree(const kernel::FlipLog& log) {
+    kernel::Triangulation surface = log.start;
+    kernel::Index least = audit(surface).degrees->min;
+    for (const kernel::Edge e : log.flips) {
+        static_cast<void>(surface.flip(e));
+        least = std::min(least, audit(surface).degrees->min);
+    }
+    return least;
+}
+
+TEST(Corpus, HasBooksDegenerateFlipsRefusalsAndHigherGenus) {
+    std::set<kernel::Index> genera;
+    bool vertex_of_degree_two_made_and_unmade = false;
+    bool refusal = false;
+    bool torus_of_three = false;
+    bool same_edge_four_times = false;
+    for (const kernel::FlipLog& log : corpus()) {
+        genera.insert(log.start.genus());
+        torus_of_three |= log.start.genus() == 1 && log.start.vertex_count() == 3;
+        kernel::Triangulation surface = log.start;
+        for (const kernel::Edge e : log.flips)
+            refusal |= !surface.flip(e);
+        vertex_of_degree_two_made_and_unmade |= audit(log.start).degrees->min == 3 &&
+                                                least_degree(log) == 2 &&
+                                                audit(surface).degrees->min == 3;
+        same_edge_four_times |=
+            log.flips.size() == 4 && log.flips == std::vector(4, log.flips.front());
+    }
+    EXPECT_GE(corpus().size(), 10U);
+    EXPECT_EQ(genera, (std::set<kernel::Index>{0, 1, 2, 3}));
+    EXPECT_TRUE(vertex_of_degree_two_made_and_unmade);
+    EXPECT_TRUE(refusal);
+    EXPECT_TRUE(torus_of_three);
+    EXPECT_TRUE(same_edge_four_times);
+}
+
+}  // namespace
+}  // namespace tightflip::fuzz
