@@ -12,7 +12,7 @@ using namespace tightflip::tools;
 int run(int argc, char** argv) {
     CLI::App app("Closed triangulated surfaces and the flips between them.", "tightflip");
     app.set_version_flag("--version", "tightflip " TIGHTFLIP_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // that one is needed is said below, after unknown words
     app.fallthrough();
     app.footer(
         "Exit codes: 0 holds, 1 does not hold, 2 unusable input or usage, 3 stopped undecided.");
@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
     }
     try {
         app.parse(argc, argv);
+        if (!action) throw CLI::RequiredError("A verb");
     } catch (const CLI::ParseError& error) {
         const bool was_asked_for = app.exit(error) == 0;  // --help and --version
         return static_cast<int>(Output::finish(was_asked_for ? Exit::holds : Exit::unusable));

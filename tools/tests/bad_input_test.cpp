@@ -178,7 +178,6 @@ TEST_F(BadInput, OutputsThatCannotBeWrittenLeaveNothing) {
     std::filesystem::create_directory(path("directory"));
     expect_unusable({"make", "book", "-o", "missing/a"}, {"missing/a: ", "No such file"});
     expect_unusable({"make", "book", "-o", "directory"}, {"directory: is a directory"});
-    expect_unusable({"make", "book", "-o", "/dev/full"}, {"/dev/full: ", "No space left"});
     EXPECT_THAT(names(), UnorderedElementsAre("directory"));
 }
 
@@ -200,6 +199,9 @@ TEST_F(BadInput, AFullDiskLeavesWhatWasThere) {
 
 TEST_F(BadInput, ResultsThatNobodyGetsMakeTheRunUnusable) {
     write("a", samples::smallest_sphere);
+    std::vector<Circumstances> losses{{.nobody_reads = true}};
+    if (std::filesystem::is_character_file("/dev/full"))
+        losses.push_back({.output_to = "/dev/full"});
     std::vector<std::string> many(200, "a");
     many.insert(many.begin(), {"check", "--json"});
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"check", "a"},
@@ -208,8 +210,7 @@ TEST_F(BadInput, ResultsThatNobodyGetsMakeTheRunUnusable) {
                                                       {"info"},
                                                       {"--help"}}) {
         SCOPED_TRACE(::testing::PrintToString(arguments));
-        for (const Circumstances& lost :
-             {Circumstances{.output_to = "/dev/full"}, Circumstances{.nobody_reads = true}}) {
+        for (const Circumstances& lost : losses) {
             const Outcome outcome = run(arguments, lost);
             EXPECT_EQ(outcome.signal, 0);
             EXPECT_EQ(outcome.exit_code, 2);

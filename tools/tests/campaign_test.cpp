@@ -91,7 +91,8 @@ TEST_F(Campaign, WorksOnFilesAndEveryKind) {
     EXPECT_EQ(objects[0]["genus"], 1);
     EXPECT_EQ(objects[1]["file"], "a.off");
     EXPECT_EQ(objects[1]["vertices"], 4);
-    for (const Json& kind : run_json({"info"})["kinds"]) {
+    const Json about = run_json({"info"});
+    for (const Json& kind : about["kinds"]) {
         const Json json = run_json({"campaign", "--kind", kind["name"], "--flips", "1000"});
         EXPECT_EQ(json["verdict"], "holds") << kind;
         EXPECT_LE(json["vertices"], 1000) << kind;

@@ -116,7 +116,8 @@ TEST_F(Make, RefusesWhatAKindCannotHave) {
 
 TEST_F(Make, TheHelpNamesEveryKind) {
     const std::string help = run({"make", "--help"}).out;
-    for (const Json& kind : run_json({"info"})["kinds"]) {
+    const Json about = run_json({"info"});
+    for (const Json& kind : about["kinds"]) {
         EXPECT_THAT(help, ::testing::HasSubstr(kind["name"].get<std::string>()));
     }
 }

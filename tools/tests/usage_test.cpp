@@ -33,7 +33,7 @@ TEST_F(Usage, WrongUsageIsExplainedOnStandardErrorAlone) {
         Arguments words;
     };
     const std::vector<Case> cases{
-        {{}, {"subcommand"}},
+        {{}, {"A verb is required", "--help"}},
         {{"polish"}, {"polish"}},
         {{"check"}, {"FILE"}},
         {{"check", "a", "--colour"}, {"--colour"}},
