@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
+constexpr unsigned most_seconds = 300;
+
 struct Pipe {
     int read_end = -1;
     int write_end = -1;
@@ -95,6 +97,7 @@ Running::Running(const fs::path& directory, std::vector<std::string> arguments,
                            ::dup2(to, 1) == 1 && ::dup2(err.write_end, 2) == 2;
         limit(RLIMIT_AS, circumstances.most_memory);
         limit(RLIMIT_FSIZE, circumstances.most_bytes_a_file);
+        ::alarm(most_seconds);
         if (ready) ::execv(executable.c_str(), pointers.data());
         ::_exit(127);
     }
@@ -115,6 +118,13 @@ Running::~Running() {
 
 void Running::send(int signal) const {
     ::kill(process_, signal);
+}
+
+std::string Running::line() {
+    std::string line;
+    for (char byte = 0; byte != '\n' && ::read(out_, &byte, 1) == 1;)
+        line += byte;
+    return line;
 }
 
 Outcome Running::finish() {

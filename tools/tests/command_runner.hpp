@@ -42,7 +42,7 @@ struct Circumstances {
     bool nobody_reads = false;                  ///< standard output is a pipe without a reader
 };
 
-/// A run under way.
+/// A run under way. One that takes many minutes is ended by SIGALRM.
 class Running {
 public:
     Running(const std::filesystem::path& directory, std::vector<std::string> arguments,
@@ -52,6 +52,8 @@ public:
     ~Running();
 
     void send(int signal) const;
+    /// The next line of standard output as soon as it is there; empty where the run ends before.
+    [[nodiscard]] std::string line();
     /// Reads both streams to their ends and waits.
     [[nodiscard]] Outcome finish();
 
