@@ -17,6 +17,6 @@ inline constexpr kernel::Index most_genus = 3;
 inline constexpr std::size_t most_flips = 32;
 
 /// The case that the bytes say; missing ones count as 0, and those after the last flip are ignored.
-[[nodiscard]] properties::FlipCase decode(std::span<const std::uint8_t> bytes);
+[[nodiscard]] properties::FlipCase decode(std::span<const std::uint8_t> data);
 
 }  // namespace tightflip::fuzz

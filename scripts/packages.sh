@@ -3,8 +3,8 @@ packages_build=(g++ cmake make libeigen3-dev libcli11-dev libfmt-dev nlohmann-js
 packages_test=("${packages_build[@]}" libgtest-dev libgmock-dev librapidcheck-dev libboost-graph-dev
                pkg-config)
 packages_bench=("${packages_build[@]}" libbenchmark-dev libcgal-dev libopenmesh-dev)
-packages_lint=(clang-format clang-tidy)
 packages_fuzz=(clang libclang-rt-14-dev)
+packages_lint=("${packages_fuzz[@]}" clang-format clang-tidy)
 
 # install_missing PACKAGE...: installs with apt-get what dpkg does not know to be installed.
 install_missing() {

@@ -1,5 +1,5 @@
 #include "formats.hpp"
-#include "mesh_text_cursor.hpp"
+#include "mesh_text.hpp"
 #include <tightflip/geometry/mesh_file.hpp>
 #include <tightflip/kernel/file_io.hpp>
 
@@ -45,7 +45,8 @@ std::optional<MeshFormat> detect_mesh_format(std::string_view bytes,
     return found->format;
 }
 
-TriangleSoup read_mesh(std::string_view bytes, std::string source, const MeshFileOptions& options) {
+TriangleSoup read_mesh(std::string_view bytes, const std::string& source,
+                       const MeshFileOptions& options) {
     if (bytes.empty()) throw FileError(source, "the file is empty");
     const auto format = options.format ? options.format : detect_mesh_format(bytes, source);
     if (!format) {

@@ -1,5 +1,5 @@
 #include "formats.hpp"
-#include "mesh_text_cursor.hpp"
+#include "mesh_text.hpp"
 #include "soup_builder.hpp"
 
 #include <algorithm>
@@ -9,8 +9,6 @@
 
 namespace tightflip::geometry {
 namespace {
-
-constexpr LineSyntax syntax{.comment = '#', .continued_lines = true};
 
 /// Statements that change neither a vertex nor a face. What is in no table may do so, and is
 /// refused: free-form curves and surfaces, or `call`, which reads another file.
@@ -24,7 +22,7 @@ bool is_ignored(std::string_view statement) {
 }
 
 /// `v x y z`, then a weight or a colour or both, which say nothing about the surface.
-void read_vertex(MeshTextCursor& cursor, SoupBuilder& builder) {
+void read_vertex(TextCursor& cursor, SoupBuilder& builder) {
     Eigen::Vector3d point;
     for (const auto& [axis, expected] :
          {std::pair{0, "the x coordinate"}, std::pair{1, "the y coordinate"},
@@ -32,16 +30,16 @@ void read_vertex(MeshTextCursor& cursor, SoupBuilder& builder) {
         point[axis] = cursor.number(expected);
     }
     for (int extra = 0; extra < 4 && !cursor.peek().empty(); ++extra) {
-        (void)cursor.number("a weight or colour");
+        cursor.number("a weight or colour");
     }
     cursor.require_end_of_line("a vertex's coordinates, weight and colour");
     builder.add_point(point, cursor.line());
 }
 
 /// One of the references in v, v/vt, v//vn and v/vt/vn: a number that is not zero.
-std::int64_t reference(MeshTextCursor& cursor, std::string_view corner, std::string_view part) {
-    std::int64_t label = 0;
-    if (!parse_integer(part, label) || label == 0) {
+std::int64_t reference(TextCursor& cursor, std::string_view corner, std::string_view part) {
+    const std::int64_t label = cursor.parse_integer(part).value_or(0);
+    if (label == 0) {
         cursor.fail("the corner " + quoted(corner) +
                     " is not of the form v, v/vt, v//vn or v/vt/vn with numbers from 1, or from -1 "
                     "down for the latest");
@@ -50,7 +48,7 @@ std::int64_t reference(MeshTextCursor& cursor, std::string_view corner, std::str
 }
 
 /// The vertex of a corner, counted from 0.
-std::int64_t corner_vertex(MeshTextCursor& cursor, std::string_view corner,
+std::int64_t corner_vertex(TextCursor& cursor, std::string_view corner,
                            const SoupBuilder& builder) {
     const std::size_t slash = std::min(corner.find('/'), corner.size());
     const std::int64_t label = reference(cursor, corner, corner.substr(0, slash));
@@ -73,24 +71,24 @@ std::int64_t corner_vertex(MeshTextCursor& cursor, std::string_view corner,
 }  // namespace
 
 bool looks_like_obj(std::string_view bytes) {
-    MeshTextCursor cursor(bytes, "", syntax);
+    TextCursor cursor(bytes, "", continued_lines);
     if (!cursor.next_line()) return false;
-    const std::string_view statement = cursor.token();
+    const std::string_view statement = cursor.word();
     return statement == "v" || statement == "f" || is_ignored(statement);
 }
 
 TriangleSoup read_obj(const MeshInput& input) {
-    MeshTextCursor cursor(input.bytes, input.source, syntax);
+    TextCursor cursor(input.bytes, std::string(input.source), continued_lines);
     SoupBuilder builder(input, FileError::Unit::line, 1);
     std::vector<std::int64_t> corners;
     while (cursor.next_line()) {
         const std::uint64_t line = cursor.line();
-        const std::string_view statement = cursor.token();
+        const std::string_view statement = cursor.word();
         if (statement == "v") {
             read_vertex(cursor, builder);
         } else if (statement == "f") {
             corners.clear();
-            for (auto corner = cursor.token(); !corner.empty(); corner = cursor.token()) {
+            for (auto corner = cursor.word(); !corner.empty(); corner = cursor.word()) {
                 corners.push_back(corner_vertex(cursor, corner, builder));
             }
             builder.add_polygon(corners, line);

@@ -1,5 +1,5 @@
 #include "formats.hpp"
-#include "mesh_text_cursor.hpp"
+#include "mesh_text.hpp"
 #include "soup_builder.hpp"
 
 #include <algorithm>
@@ -9,8 +9,6 @@
 namespace tightflip::geometry {
 namespace {
 
-constexpr LineSyntax syntax{.comment = '#'};
-
 /// The keyword: [ST][C][N][4][n]OFF.
 struct Keyword {
     std::size_t size = 0;          ///< bytes; 0 where there is none
@@ -18,10 +16,10 @@ struct Keyword {
     bool other_dimension = false;  ///< points of another dimension than 3
 };
 
-Keyword keyword_of(std::string_view token) {
+Keyword keyword_of(std::string_view word) {
     Keyword keyword;
     const auto takes = [&](std::string_view part) {
-        const bool found = token.substr(keyword.size).starts_with(part);
+        const bool found = word.substr(keyword.size).starts_with(part);
         if (found) keyword.size += part.size();
         return found;
     };
@@ -39,7 +37,7 @@ struct Header {
 };
 
 /// The keyword, which is optional, and the counts, on its line or on the next.
-Header read_header(MeshTextCursor& cursor) {
+Header read_header(TextCursor& cursor) {
     Header header;
     cursor.require_line("the keyword OFF");
     header.keyword = keyword_of(cursor.peek());
@@ -53,13 +51,13 @@ Header read_header(MeshTextCursor& cursor) {
     if (cursor.peek().empty()) cursor.require_line("the numbers of vertices and faces");
     header.vertices = cursor.count("the number of vertices");
     header.faces = cursor.count("the number of faces");
-    if (!cursor.peek().empty()) (void)cursor.count("the number of edges");
+    if (!cursor.peek().empty()) cursor.count("the number of edges");
     cursor.require_end_of_line("the numbers of vertices, faces and edges");
     return header;
 }
 
 /// A line of a face has at least "3 0 0 0" or, refused later, "0"; a vertex has "0 0 0".
-void refuse_impossible_counts(const MeshTextCursor& cursor, const Header& header,
+void refuse_impossible_counts(const TextCursor& cursor, const Header& header,
                               std::size_t bytes_left) {
     // The last line needs no line feed.
     const std::uint64_t most_vertices = (bytes_left + 1) / 6;
@@ -73,20 +71,20 @@ void refuse_impossible_counts(const MeshTextCursor& cursor, const Header& header
     }
 }
 
-void require_row(MeshTextCursor& cursor, const char* what, std::uint64_t i, std::uint64_t count) {
+void require_row(TextCursor& cursor, const char* what, std::uint64_t i, std::uint64_t count) {
     if (cursor.next_line()) return;
     cursor.fail("the file ends before " + std::string(what) + " " + std::to_string(i) + " of the " +
                 std::to_string(count) + " that its header promises");
 }
 
-void read_vertices(MeshTextCursor& cursor, const Header& header, SoupBuilder& builder) {
+void read_vertices(TextCursor& cursor, const Header& header, SoupBuilder& builder) {
     for (std::uint64_t v = 0; v < header.vertices; ++v) {
         require_row(cursor, "vertex", v, header.vertices);
         const double x = cursor.number("the x coordinate");
         const double y = cursor.number("the y coordinate");
         const double z = cursor.number("the z coordinate");
         while (header.keyword.extra_numbers && !cursor.peek().empty()) {
-            (void)cursor.number("a normal, colour or texture coordinate");
+            cursor.number("a normal, colour or texture coordinate");
         }
         cursor.require_end_of_line(
             "three coordinates; normals, colours and texture coordinates need NOFF, COFF or STOFF");
@@ -94,7 +92,7 @@ void read_vertices(MeshTextCursor& cursor, const Header& header, SoupBuilder& bu
     }
 }
 
-void read_faces(MeshTextCursor& cursor, const Header& header, SoupBuilder& builder) {
+void read_faces(TextCursor& cursor, const Header& header, SoupBuilder& builder) {
     constexpr int most_colour_numbers = 4;
     std::vector<std::int64_t> corners;
     for (std::uint64_t f = 0; f < header.faces; ++f) {
@@ -105,7 +103,7 @@ void read_faces(MeshTextCursor& cursor, const Header& header, SoupBuilder& build
             corners.push_back(cursor.integer("a corner"));
         }
         for (int i = 0; i < most_colour_numbers && !cursor.peek().empty(); ++i) {
-            (void)cursor.number("a colour");
+            cursor.number("a colour");
         }
         cursor.require_end_of_line("the corners and colour of a face");
         builder.add_polygon(corners, cursor.line());
@@ -115,12 +113,12 @@ void read_faces(MeshTextCursor& cursor, const Header& header, SoupBuilder& build
 }  // namespace
 
 bool looks_like_off(std::string_view bytes) {
-    MeshTextCursor cursor(bytes, "", syntax);
+    TextCursor cursor(bytes, "", commented_lines);
     return cursor.next_line() && keyword_of(cursor.peek()).size > 0;
 }
 
 TriangleSoup read_off(const MeshInput& input) {
-    MeshTextCursor cursor(input.bytes, input.source, syntax);
+    TextCursor cursor(input.bytes, std::string(input.source), commented_lines);
     SoupBuilder builder(input, FileError::Unit::line, 0);
     const Header header = read_header(cursor);
     refuse_impossible_counts(cursor, header, input.bytes.size() - cursor.after_line());

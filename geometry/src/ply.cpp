@@ -1,6 +1,6 @@
 #include "byte_order.hpp"
 #include "formats.hpp"
-#include "mesh_text_cursor.hpp"
+#include "mesh_text.hpp"
 #include "ply_header.hpp"
 #include "soup_builder.hpp"
 
@@ -22,7 +22,7 @@ class TextRows {
 public:
     static constexpr FileError::Unit unit = FileError::Unit::line;
 
-    explicit TextRows(MeshTextCursor& header_end) : cursor_(header_end) {}
+    explicit TextRows(TextCursor& header_end) : cursor_(header_end) {}
 
     std::uint64_t begin_row(const PlyElement& element, std::uint64_t row) {
         if (!cursor_.next_line()) cursor_.fail("the file ends before " + row_name(element, row));
@@ -33,7 +33,7 @@ public:
     std::uint64_t length(const PlyProperty&) { return cursor_.count("the length of a list"); }
     void skip(PlyScalar, std::uint64_t count) {
         for (std::uint64_t i = 0; i < count; ++i)
-            (void)cursor_.number("an entry of a list");
+            cursor_.number("an entry of a list");
     }
     void end_row(const PlyElement& element) {
         if (!cursor_.peek().empty()) {
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    MeshTextCursor& cursor_;
+    TextCursor& cursor_;
 };
 
 /// Rows as packed numbers.
@@ -162,7 +162,7 @@ bool looks_like_ply(std::string_view bytes) {
 }
 
 TriangleSoup read_ply(const MeshInput& input) {
-    MeshTextCursor cursor(input.bytes, input.source);
+    TextCursor cursor(input.bytes, std::string(input.source), bare_lines);
     const PlyHeader header = read_ply_header(cursor, input.bytes);
     if (header.encoding == PlyEncoding::ascii) return read_rows(TextRows(cursor), header, input);
     const auto order =

@@ -54,40 +54,40 @@ bool is_integer(PlyScalar type) noexcept {
     return type != PlyScalar::f32 && type != PlyScalar::f64;
 }
 
-PlyScalar read_type(MeshTextCursor& cursor, std::string_view expected) {
-    const std::string_view token = cursor.require_token(expected);
-    const auto* const found = std::ranges::find(type_names, token, &TypeName::name);
+PlyScalar read_type(TextCursor& cursor, std::string_view expected) {
+    const std::string_view word = cursor.word(expected);
+    const auto* const found = std::ranges::find(type_names, word, &TypeName::name);
     if (found == type_names.end()) {
-        cursor.fail(std::string(expected) + " is " + quoted(token) +
+        cursor.fail(std::string(expected) + " is " + quoted(word) +
                     ", which PLY does not know; it has char, uchar, short, ushort, int, uint, "
                     "float and double");
     }
     return found->type;
 }
 
-PlyEncoding read_encoding(MeshTextCursor& cursor) {
-    const std::string_view token = cursor.require_token("the encoding");
-    const auto* const found = std::ranges::find(encoding_names, token, &EncodingName::name);
+PlyEncoding read_encoding(TextCursor& cursor) {
+    const std::string_view word = cursor.word("the encoding");
+    const auto* const found = std::ranges::find(encoding_names, word, &EncodingName::name);
     if (found == encoding_names.end()) {
-        cursor.fail("the encoding " + quoted(token) +
+        cursor.fail("the encoding " + quoted(word) +
                     " is none of ascii, binary_little_endian and binary_big_endian");
     }
-    if (const auto version = cursor.require_token("the version 1.0"); version != "1.0") {
+    if (const auto version = cursor.word("the version 1.0"); version != "1.0") {
         cursor.fail("version " + quoted(version) + " of PLY is not known; 1.0 is");
     }
     return found->encoding;
 }
 
-void read_property(MeshTextCursor& cursor, PlyElement& element) {
+void read_property(TextCursor& cursor, PlyElement& element) {
     PlyProperty property;
     property.is_list = cursor.peek() == "list";
     if (property.is_list) {
-        (void)cursor.token();
+        cursor.word();
         property.count_type = read_type(cursor, "the type of a list's length");
         if (!is_integer(property.count_type)) cursor.fail("a list's length must be an integer");
     }
     property.type = read_type(cursor, "the type of a property");
-    const std::string_view name = cursor.require_token("the name of a property");
+    const std::string_view name = cursor.word("the name of a property");
     const auto* const use = std::ranges::find_if(
         wanted, [&](const Wanted& w) { return w.element == element.name && w.property == name; });
     if (use != wanted.end()) {
@@ -115,7 +115,7 @@ std::uint64_t least_row_size(const PlyElement& element, PlyEncoding encoding) no
                            });
 }
 
-void require_wanted(const MeshTextCursor& cursor, const PlyHeader& header) {
+void require_wanted(const TextCursor& cursor, const PlyHeader& header) {
     for (const Wanted& w : wanted) {
         const auto element = std::ranges::find(header.elements, w.element, &PlyElement::name);
         if (element != header.elements.end() &&
@@ -127,7 +127,7 @@ void require_wanted(const MeshTextCursor& cursor, const PlyHeader& header) {
     }
 }
 
-void refuse_impossible_counts(const MeshTextCursor& cursor, const PlyHeader& header,
+void refuse_impossible_counts(const TextCursor& cursor, const PlyHeader& header,
                               std::size_t bytes_left) {
     // The last line of a text needs no line feed.
     std::uint64_t left = bytes_left + (header.encoding == PlyEncoding::ascii ? 1 : 0);
@@ -159,22 +159,22 @@ std::uint64_t PlyHeader::rows_of(std::string_view element) const noexcept {
     return found == elements.end() ? 0 : found->rows;
 }
 
-PlyHeader read_ply_header(MeshTextCursor& cursor, std::string_view bytes) {
+PlyHeader read_ply_header(TextCursor& cursor, std::string_view bytes) {
     PlyHeader header;
     std::optional<PlyEncoding> encoding;
     cursor.require_line("'ply'");
-    if (cursor.token() != "ply") cursor.fail("a PLY file begins with a line 'ply'");
+    if (cursor.word() != "ply") cursor.fail("a PLY file begins with a line 'ply'");
     cursor.require_end_of_line("'ply'");
     while (true) {
         cursor.require_line("the rest of the header, up to end_header,");
-        const std::string_view keyword = cursor.token();
+        const std::string_view keyword = cursor.word();
         if (keyword == "comment" || keyword == "obj_info") continue;
         if (keyword == "end_header") break;
         if (keyword == "format") {
             if (encoding) cursor.fail("the format is given twice");
             encoding = read_encoding(cursor);
         } else if (keyword == "element") {
-            const std::string_view name = cursor.require_token("the name of an element");
+            const std::string_view name = cursor.word("the name of an element");
             if (std::ranges::count(header.elements, name, &PlyElement::name) > 0) {
                 cursor.fail("the element " + quoted(name) + " is there twice");
             }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "formats.hpp"
-#include "mesh_text_cursor.hpp"
+#include "mesh_text.hpp"
 
 #include <cstdint>
 #include <string>
@@ -46,6 +46,6 @@ struct PlyHeader {
 /// Reads the header; leaves the cursor on the line end_header. Afterwards there is one element
 /// vertex with the scalars x, y and z, one element face with one list of corners, and the rows that
 /// are promised can stand in the bytes that follow.
-[[nodiscard]] PlyHeader read_ply_header(MeshTextCursor& cursor, std::string_view bytes);
+[[nodiscard]] PlyHeader read_ply_header(TextCursor& cursor, std::string_view bytes);
 
 }  // namespace tightflip::geometry

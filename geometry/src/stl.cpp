@@ -1,7 +1,7 @@
 #include "byte_order.hpp"
 #include "formats.hpp"
 #include "merge_equal_points.hpp"
-#include "mesh_text_cursor.hpp"
+#include "mesh_text.hpp"
 #include "soup_builder.hpp"
 
 #include <bit>
@@ -34,8 +34,8 @@ bool has_binary_size(std::string_view bytes) {
 /// A text begins with "solid". So do some binary files, but they have the size their count says.
 bool is_text(std::string_view bytes) {
     if (has_binary_size(bytes)) return false;
-    MeshTextCursor cursor(bytes, "");
-    return cursor.next_line() && lowered(cursor.token()) == "solid";
+    TextCursor cursor(bytes, "", bare_lines);
+    return cursor.next_line() && lowered(cursor.word()) == "solid";
 }
 
 /// Adds a polygon with new points of its own, to be merged later.
@@ -47,19 +47,19 @@ void add_loose_polygon(SoupBuilder& builder, std::size_t corner_count, std::uint
     builder.add_polygon(corners, position);
 }
 
-void expect(MeshTextCursor& cursor, std::string_view word) {
-    const std::string_view found = cursor.require_token(quoted(word));
+void expect(TextCursor& cursor, std::string_view word) {
+    const std::string_view found = cursor.word(quoted(word));
     if (lowered(found) != word) {
-        cursor.fail("here " + quoted(word) + " should stand, but " + quoted(found) + " does");
+        cursor.fail(quoted(word) + " should stand here, not " + quoted(found));
     }
 }
 
 /// facet normal, outer loop, vertices, endloop, endfacet; the word facet is taken already.
-void read_facet(MeshTextCursor& cursor, SoupBuilder& builder) {
+void read_facet(TextCursor& cursor, SoupBuilder& builder) {
     const std::uint64_t line = cursor.line();
     expect(cursor, "normal");
     for (int i = 0; i < 3; ++i)
-        (void)cursor.number("the normal's coordinate");
+        cursor.number("the normal's coordinate");
     cursor.require_end_of_line("the normal");
     cursor.require_line("'outer loop'");
     expect(cursor, "outer");
@@ -69,7 +69,7 @@ void read_facet(MeshTextCursor& cursor, SoupBuilder& builder) {
     while (true) {
         cursor.require_line("a vertex or 'endloop'");
         if (lowered(cursor.peek()) != "vertex") break;
-        (void)cursor.token();
+        cursor.word();
         const double x = cursor.number("the x coordinate");
         const double y = cursor.number("the y coordinate");
         const double z = cursor.number("the z coordinate");
@@ -86,14 +86,14 @@ void read_facet(MeshTextCursor& cursor, SoupBuilder& builder) {
 }
 
 TriangleSoup read_text(const MeshInput& input) {
-    MeshTextCursor cursor(input.bytes, input.source);
+    TextCursor cursor(input.bytes, std::string(input.source), bare_lines);
     SoupBuilder builder(input, FileError::Unit::line, 0);
     while (cursor.next_line()) {
         expect(cursor, "solid");  // the rest of the line is its name
         while (true) {
             cursor.require_line("'facet' or 'endsolid'");
             if (lowered(cursor.peek()) != "facet") break;
-            (void)cursor.token();
+            cursor.word();
             read_facet(cursor, builder);
         }
         expect(cursor, "endsolid");

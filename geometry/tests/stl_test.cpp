@@ -88,7 +88,7 @@ TEST(Stl, RefusesBadTextWithTheLineAndTheReason) {
             as_a_whole(solid(""), "no faces"),
             at_line(1, "solid", "'facet' or 'endsolid'"),
             at_line(10, solid(facet(loop)) + "solid x", "'facet' or 'endsolid'"),
-            at_line(10, solid(facet(loop)) + "rest", "'solid' should stand, but 'rest'"),
+            at_line(10, solid(facet(loop)) + "rest", "'solid' should stand here, not 'rest'"),
             at_line(2, "solid\nfacette\n", "'facette'"),
             at_line(2, solid(facet(loop, "0 0")), "the normal"),
             at_line(2, solid(facet(loop, "0 0 up")), "'up'"),
@@ -102,9 +102,9 @@ TEST(Stl, RefusesBadTextWithTheLineAndTheReason) {
             at_line(4, solid(facet("vertex 0 0 0,5\n")), "'0,5'"),
             at_line(4, solid(facet("vertex 0 0 0 0\n")), "goes on with '0'"),
             at_line(5, solid(facet("vertex 0 0 0\nvertex nan 0 0\n")), "not finite"),
-            at_line(4, solid(facet("corner 0 0 0\n")), "'endloop' should stand, but 'corner'"),
+            at_line(4, solid(facet("corner 0 0 0\n")), "'endloop' should stand here, not 'corner'"),
             at_line(8, "solid\nfacet normal 0 0 1\nouter loop\n" + loop + "endloop\nendfacette\n",
-                    "'endfacet' should stand"),
+                    "'endfacet' should stand here"),
         },
         "mesh.stl", {});
 }

@@ -8,7 +8,8 @@ Replay replay(const FlipLog& log) {
     Replay result{.surface = log.start, .done = 0, .reason = {}};
     for (const Edge e : log.flips) {
         if (e.id < 0 || e.id >= log.start.edge_count()) {
-            result.reason = "edge " + std::to_string(e.id) + " does not exist";
+            result.reason = "edge " + std::to_string(e.id) + " does not exist: the surface has " +
+                            std::to_string(log.start.edge_count()) + " of them, numbered from 0";
             break;
         }
         if (const FlipVerdict verdict = result.surface.flip(e); !verdict) {

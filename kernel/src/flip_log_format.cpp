@@ -1,6 +1,7 @@
 // The two written forms of a flip log: "tightflip-flip-log 1" as text, and the same content in
 // binary. Both end in a checksum of the content, which is the same for both.
 
+#include "plain_writer.hpp"
 #include <tightflip/kernel/build.hpp>
 #include <tightflip/kernel/flip_log.hpp>
 #include <tightflip/kernel/surface_text.hpp>
@@ -73,16 +74,16 @@ FlipLog parse_text(std::string_view text, const std::string& source) {
     cursor.require_line("the format's name and version");
     cursor.require_word(text_header);
     cursor.integer("the format's version, which must be one this program knows,", version, version);
-    cursor.require_end_of_line();
+    cursor.require_end_of_line("the format's version");
     RawTable table = parse_table(cursor);
-    const Index count = cursor.count("flips", 2);
+    const Index count = cursor.announced_lines("flips", 2);
     const auto edges = static_cast<Index>(table.records.size() / 2);
     std::vector<Edge> flips;
     flips.reserve(static_cast<std::size_t>(count));
     for (Index k = 0; k < count; ++k) {
         cursor.require_line("flip " + std::to_string(k));
-        flips.push_back({static_cast<Index>(cursor.integer("an edge", 0, edges - 1))});
-        cursor.require_end_of_line();
+        flips.push_back({cursor.index("an edge", 0, edges - 1)});
+        cursor.require_end_of_line("the edge");
     }
     cursor.require_line("'check SUM'");
     cursor.require_word("check");
@@ -93,7 +94,7 @@ FlipLog parse_text(std::string_view text, const std::string& source) {
     if (digits.size() != 16 || error != std::errc{} || end != digits.data() + digits.size()) {
         cursor.fail("the checksum should be 16 hexadecimal digits");
     }
-    cursor.require_end_of_line();
+    cursor.require_end_of_line("the checksum");
     if (cursor.next_line()) cursor.fail("nothing should follow the checksum");
     return concluded(std::move(table), std::move(flips), sum,
                      [&](const std::string& reason) { cursor.fail(reason); });
@@ -189,16 +190,17 @@ FlipLog parse_binary(std::string_view bytes, const std::string& source) {
 }  // namespace
 
 void write_text(std::ostream& out, const FlipLog& log) {
-    out << text_header << ' ' << version << '\n';
+    PlainWriter text(out);
+    text << text_header << ' ' << version << '\n';
     write_table(out, log.start.table(), log.start.vertex_count());
-    out << "flips " << log.flips.size() << '\n';
+    text << "flips " << log.flips.size() << '\n';
     for (const Edge e : log.flips)
-        out << e.id << '\n';
-    out << "check " << hexadecimal(checksum(log)) << '\n';
+        text << e.id << '\n';
+    text << "check " << hexadecimal(checksum(log)) << '\n';
 }
 
 void write_binary(std::ostream& out, const FlipLog& log) {
-    out << binary_magic;
+    PlainWriter(out) << binary_magic;
     put_index(out, version);
     put_index(out, log.start.vertex_count());
     put_index(out, log.start.halfedge_count());

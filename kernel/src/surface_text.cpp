@@ -1,7 +1,8 @@
+#include "plain_writer.hpp"
 #include <tightflip/kernel/surface_text.hpp>
 
-#include <charconv>
-#include <ostream>
+#include <optional>
+#include <utility>
 
 namespace tightflip::kernel {
 namespace {
@@ -16,11 +17,11 @@ SideGluing parse_side(TextCursor& cursor) {
     if (word == "-") return {};
     const bool reversed = word.ends_with('~');
     if (reversed) word.remove_suffix(1);
-    Index side = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), side);
-    if (error != std::errc{} || end != word.data() + word.size() || word.empty()) {
+    const std::optional<std::int64_t> number = cursor.parse_integer(word);
+    if (!number || !std::in_range<Index>(*number)) {
         cursor.fail("a glued side should stand here: a number, a number and '~', or '-'");
     }
+    const auto side = static_cast<Index>(*number);
     return reversed ? SideGluing::reversed(side) : SideGluing::coherent(side);
 }
 
@@ -28,28 +29,27 @@ Gluing parse_gluing(TextCursor& cursor) {
     Gluing gluing;
     cursor.require_line("'vertices COUNT'");
     cursor.require_word("vertices");
-    gluing.vertex_count = static_cast<Index>(cursor.integer("the number of vertices", 0));
-    cursor.require_end_of_line();
-    const Index faces = cursor.count("faces", 12);
+    gluing.vertex_count = cursor.index("the number of vertices");
+    cursor.require_end_of_line("the number of vertices");
+    const Index faces = cursor.announced_lines("faces", 12);
     gluing.faces.reserve(static_cast<std::size_t>(faces));
     for (Index f = 0; f < faces; ++f) {
         cursor.require_line("face " + std::to_string(f));
         GluedFace& face = gluing.faces.emplace_back();
-        for (Index& corner : face.corners) {
-            corner = static_cast<Index>(cursor.integer("a corner"));
-        }
+        for (Index& corner : face.corners)
+            corner = cursor.index("a corner");
         for (SideGluing& side : face.sides)
             side = parse_side(cursor);
-        cursor.require_end_of_line();
+        cursor.require_end_of_line("a face's corners and sides");
     }
     return gluing;
 }
 
-void write_side(std::ostream& out, SideGluing side) {
+void write_side(PlainWriter& text, SideGluing side) {
     if (side.is_glued()) {
-        out << ' ' << side.side() << (side.is_reversed() ? "~" : "");
+        text << ' ' << side.side() << (side.is_reversed() ? "~" : "");
     } else {
-        out << " -";
+        text << " -";
     }
 }
 
@@ -69,12 +69,12 @@ RawSurface parse_surface(std::string_view text, const std::string& source) {
                     " and " + std::string(gluing_header));
     }
     cursor.integer("the format's version, which must be one this program knows,", version, version);
-    cursor.require_end_of_line();
+    cursor.require_end_of_line("the format's version");
     RawSurface surface =
         is_table ? RawSurface(parse_table(cursor)) : RawSurface(parse_gluing(cursor));
     cursor.require_line("'end'");
     cursor.require_word("end");
-    cursor.require_end_of_line();
+    cursor.require_end_of_line("'end'");
     if (cursor.next_line()) cursor.fail("nothing should follow 'end'");
     return surface;
 }
@@ -94,43 +94,46 @@ BuildResult build(const RawSurface& surface) {
 }
 
 void write_text(std::ostream& out, const Triangulation& surface) {
-    out << triangulation_header << ' ' << version << '\n';
+    PlainWriter text(out);
+    text << triangulation_header << ' ' << version << '\n';
     write_table(out, surface.table(), surface.vertex_count());
-    out << "end\n";
+    text << "end\n";
 }
 
 void write_text(std::ostream& out, const Gluing& gluing) {
-    out << gluing_header << ' ' << version << "\nvertices " << gluing.vertex_count << "\nfaces "
-        << gluing.faces.size() << "\n# three corners, then what sides 0, 1, 2 are glued to\n";
+    PlainWriter text(out);
+    text << gluing_header << ' ' << version << "\nvertices " << gluing.vertex_count << "\nfaces "
+         << gluing.faces.size() << "\n# three corners, then what sides 0, 1, 2 are glued to\n";
     for (const GluedFace& face : gluing.faces) {
-        out << face.corners[0] << ' ' << face.corners[1] << ' ' << face.corners[2] << ' ';
+        text << face.corners[0] << ' ' << face.corners[1] << ' ' << face.corners[2] << ' ';
         for (const SideGluing side : face.sides)
-            write_side(out, side);
-        out << '\n';
+            write_side(text, side);
+        text << '\n';
     }
-    out << "end\n";
+    text << "end\n";
 }
 
 void write_table(std::ostream& out, HalfedgeTable table, Index vertex_count) {
-    out << "vertices " << vertex_count << "\nhalfedges " << table.size()
-        << "\n# next halfedge and origin of halfedge 0, 1, 2, ...\n";
+    PlainWriter text(out);
+    text << "vertices " << vertex_count << "\nhalfedges " << table.size()
+         << "\n# next halfedge and origin of halfedge 0, 1, 2, ...\n";
     for (const auto& [next, origin] : table)
-        out << next.id << ' ' << origin.id << '\n';
+        text << next.id << ' ' << origin.id << '\n';
 }
 
 RawTable parse_table(TextCursor& cursor) {
     RawTable table;
     cursor.require_line("'vertices COUNT'");
     cursor.require_word("vertices");
-    table.vertex_count = static_cast<Index>(cursor.integer("the number of vertices", 0));
-    cursor.require_end_of_line();
-    const Index halfedges = cursor.count("halfedges", 4);
+    table.vertex_count = cursor.index("the number of vertices", 0);
+    cursor.require_end_of_line("the number of vertices");
+    const Index halfedges = cursor.announced_lines("halfedges", 4);
     table.records.reserve(static_cast<std::size_t>(halfedges));
     for (Index h = 0; h < halfedges; ++h) {
         cursor.require_line("halfedge " + std::to_string(h));
-        const auto next = static_cast<Index>(cursor.integer("the next halfedge"));
-        const auto origin = static_cast<Index>(cursor.integer("the origin"));
-        cursor.require_end_of_line();
+        const Index next = cursor.index("the next halfedge");
+        const Index origin = cursor.index("the origin");
+        cursor.require_end_of_line("the next halfedge and the origin");
         table.records.push_back({{next}, {origin}});
     }
     return table;

@@ -148,6 +148,7 @@ std::string_view describe(ViolationCode code) noexcept {
 
 std::vector<ViolationCode> all_violation_codes() {
     std::vector<ViolationCode> codes;
+    codes.reserve(entries.size());
     for (const Entry& e : entries)
         codes.push_back(e.code);
     return codes;

@@ -1,3 +1,4 @@
+#include "hostile_stream.hpp"
 #include "refusals.hpp"
 #include "surfaces.hpp"
 #include <tightflip/kernel/build.hpp>
@@ -191,6 +192,16 @@ TEST(FlipLog, RoundTripInBothForms) {
         EXPECT_EQ(parse(text_of(log)), log);
         EXPECT_EQ(parse(binary_of(log)), log);
     }
+}
+
+TEST(FlipLog, IsWrittenTheSameWhateverTheStreamsLocaleAndFlags) {
+    const FlipLog log = random_log(families::book(300), 500, 1);
+    const std::string text =
+        testing::written_to_hostile_stream([&](auto& out) { write_text(out, log); });
+    EXPECT_EQ(text, text_of(log));
+    EXPECT_EQ(parse(text), log);
+    EXPECT_EQ(testing::written_to_hostile_stream([&](auto& out) { write_binary(out, log); }),
+              binary_of(log));
 }
 
 TEST(FlipLog, TheBinaryFormKeepsEdgesOfEveryLength) {

@@ -1,3 +1,4 @@
+#include "hostile_stream.hpp"
 #include "refusals.hpp"
 #include "surfaces.hpp"
 #include <tightflip/kernel/families.hpp>
@@ -94,7 +95,7 @@ Gluing garbage_gluing(std::uint64_t seed) {
         }
     };
     Gluing gluing;
-    gluing.vertex_count = std::max(number(), Index{0});
+    gluing.vertex_count = number();
     gluing.faces.resize(random.below(12));
     for (GluedFace& face : gluing.faces) {
         for (Index& corner : face.corners)
@@ -185,6 +186,39 @@ TEST(SurfaceText, RoundTripKeepsGarbage) {
     }
 }
 
+TEST(SurfaceText, KeepsVertexCountsThatCannotBe) {
+    for (const Index count : {Index{-3}, std::numeric_limits<Index>::min()}) {
+        Gluing gluing = testing::tetrahedron();
+        gluing.vertex_count = count;
+        const RawSurface raw = parse(text_of(gluing));
+        EXPECT_EQ(raw, RawSurface(gluing));
+        EXPECT_TRUE(audit(raw).has(ViolationCode::corner_out_of_range));
+        EXPECT_FALSE(build(raw));
+    }
+    const RawSurface empty = parse("tightflip-gluing 1\nvertices -1\nfaces 0\nend\n");
+    EXPECT_FALSE(audit(empty).is_valid());
+    EXPECT_FALSE(build(empty));
+}
+
+TEST(SurfaceText, WritesTheSameWhateverTheStreamsLocaleAndFlags) {
+    const Triangulation surface = families::random(150, 1, 7);
+    EXPECT_EQ(testing::written_to_hostile_stream([&](auto& out) { write_text(out, surface); }),
+              text_of(surface));
+    const auto table = [&](std::ostream& out) {
+        write_table(out, surface.table(), surface.vertex_count());
+    };
+    std::ostringstream plain;
+    table(plain);
+    EXPECT_EQ(testing::written_to_hostile_stream(table), plain.str());
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Gluing gluing = garbage_gluing(seed);
+        const std::string text =
+            testing::written_to_hostile_stream([&](auto& out) { write_text(out, gluing); });
+        EXPECT_EQ(text, text_of(gluing)) << "seed " << seed;
+        EXPECT_EQ(parse(text), RawSurface(gluing)) << "seed " << seed;
+    }
+}
+
 TEST(SurfaceText, IgnoresCommentsBlankLinesAndLineEndings) {
     for (const std::string& text : {table_text, gluing_text, text_of(families::random(9, 1, 4)),
                                     text_of(testing::klein_bottle())}) {
@@ -243,7 +277,7 @@ TEST_P(MalformedSurfaceText, IsRefusedWithLineAndReason) {
 INSTANTIATE_TEST_SUITE_P(
     Files, MalformedSurfaceText,
     ::testing::Values(
-        Malformed{"Empty", "", 0, "ends"}, Malformed{"OnlyComments", "# none\n\n#\n", 3, "ends"},
+        Malformed{"Empty", "", 1, "ends"}, Malformed{"OnlyComments", "# none\n\n#\n", 3, "ends"},
         Malformed{"Foreign", "OFF\n3 1 0\n", 1, "formats"},
         Malformed{"ForeignAfterBlankLines", "\n\nsolid cube\n", 3, "formats"},
         Malformed{"HeaderInCapitals", with(table_text, "tight", "Tight"), 1, "formats"},
@@ -259,11 +293,11 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"OnlyHeaderOfGluing", "tightflip-gluing 1\n", 1, "vertices"},
         Malformed{"VerticesMissing", with(table_text, "vertices 3\n", ""), 2, "vertices"},
         Malformed{"VertexCountMissing", with(table_text, " 3\n", "\n"), 2, "number of vertices"},
-        Malformed{"VertexCountNegative", with(gluing_text, " 3\n", " -3\n"), 2, "-3"},
+        Malformed{"VertexCountNegative", with(table_text, " 3\n", " -3\n"), 2, "-3"},
         Malformed{"VertexCountTooLarge", with(gluing_text, " 3\n", " 2147483648\n"), 2,
                   "2147483648"},
         Malformed{"VertexCountNoNumber", with(gluing_text, " 3\n", " 3.0\n"), 2, "3.0"},
-        Malformed{"VertexCountTwice", with(table_text, " 3\n", " 3 3\n"), 2, "should end"},
+        Malformed{"VertexCountTwice", with(table_text, " 3\n", " 3 3\n"), 2, "goes on with"},
         Malformed{"HalfedgesMissing", with(table_text, "halfedges 6\n", ""), 3, "halfedges"},
         Malformed{"HalfedgeCountMissing", with(table_text, " 6\n", "\n"), 3, "count"},
         Malformed{"HalfedgeCountNegative", with(table_text, " 6\n", " -6\n"), 3, "-6"},
@@ -281,13 +315,14 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"FaceCountTooSmall", with(gluing_text, "faces 2\n", "faces 1\n"), 5, "'end'"},
         Malformed{"RecordInWords", with(table_text, "5 1\n", "five 1\n"), 5, "five"},
         Malformed{"RecordTooShort", with(table_text, "5 1\n", "5\n"), 5, "origin"},
-        Malformed{"RecordTooLong", with(table_text, "5 1\n", "5 1 0\n"), 5, "should end"},
+        Malformed{"RecordTooLong", with(table_text, "5 1\n", "5 1 0\n"), 5, "goes on with"},
         Malformed{"RecordTooLarge", with(table_text, "5 1\n", "5 3000000000\n"), 5, "3000000000"},
         Malformed{"RecordNotWhole", with(table_text, "5 1\n", "5.5 1\n"), 5, "5.5"},
         Malformed{"CornerNan", with(gluing_text, "0 2 1", "0 nan 1"), 5, "nan"},
         Malformed{"FaceWithoutSides", with(gluing_text, "  2 1 0", ""), 5, "side"},
         Malformed{"FaceWithTwoSides", with(gluing_text, "  2 1 0", "  2 1"), 5, "side"},
-        Malformed{"FaceWithFourSides", with(gluing_text, "  2 1 0", "  2 1 0 0"), 5, "should end"},
+        Malformed{"FaceWithFourSides", with(gluing_text, "  2 1 0", "  2 1 0 0"), 5,
+                  "goes on with"},
         Malformed{"SideOnlyTilde", with(gluing_text, "  2 1 0", "  2 ~ 0"), 5, "side"},
         Malformed{"SideTwoTildes", with(gluing_text, "  2 1 0", "  2 1~~ 0"), 5, "side"},
         Malformed{"SideTildeFirst", with(gluing_text, "  2 1 0", "  2 ~1 0"), 5, "side"},
@@ -296,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"SideNotWhole", with(gluing_text, "  2 1 0", "  2 1.0 0"), 5, "side"},
         Malformed{"SideTooLarge", with(gluing_text, "  2 1 0", "  2 2147483648 0"), 5, "side"},
         Malformed{"ZeroByteInNumber", with(table_text, "5 1\n", std::string("5\0 1\n", 5)), 5,
-                  "no whole number"},
+                  "whole number"},
         Malformed{"EndMissing", with(table_text, "end\n", ""), 9, "'end'"},
         Malformed{"EndMissingInGluing", with(gluing_text, "end\n", ""), 5, "'end'"},
         Malformed{"EndWithMore", with(table_text, "end\n", "end of file\n"), 10, "of"},

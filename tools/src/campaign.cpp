@@ -144,8 +144,9 @@ Triangulation made(const Options& options) {
 }
 
 Exit run(const Output& output, const Options& options) {
-    std::signal(SIGINT, [](int) { interrupted = true; });
-    std::signal(SIGTERM, [](int) { interrupted = true; });
+    for (const int signal : {SIGINT, SIGTERM}) {
+        static_cast<void>(std::signal(signal, [](int) { interrupted = true; }));
+    }
     std::size_t number = 0;
     if (!options.files.empty()) {
         return for_each_input(output, options.files, [&](const std::string& file) {

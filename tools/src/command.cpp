@@ -23,9 +23,10 @@ std::string reason_of(const std::exception& error) {
 
 /// A line that can be read as soon as it is written: a script may wait for it.
 void print_line(std::string_view line) {
-    std::fwrite(line.data(), 1, line.size(), stdout);
-    std::fputc('\n', stdout);
-    std::fflush(stdout);  // what fails is remembered by the stream; see Output::is_broken
+    // What fails is remembered by the stream; see Output::is_broken.
+    static_cast<void>(std::fwrite(line.data(), 1, line.size(), stdout));
+    static_cast<void>(std::fputc('\n', stdout));
+    static_cast<void>(std::fflush(stdout));
 }
 
 /// Whether the whole text is one number.

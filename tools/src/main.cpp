@@ -39,8 +39,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported as a failed write
-    std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
+    for (const int signal : {SIGPIPE, SIGXFSZ}) {  // both are reported as failed writes
+        static_cast<void>(std::signal(signal, SIG_IGN));
+    }
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {

@@ -24,7 +24,7 @@ void ProgressBar::show(std::uint64_t done, std::uint64_t total, double seconds) 
     const double left = part > 0 ? seconds / part - seconds : 0;
     fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f}%  {:.1f} s left", title_, "", filled,
                "", width - filled, 100 * part, left);
-    std::fflush(stderr);
+    static_cast<void>(std::fflush(stderr));
 }
 
 }  // namespace tightflip::tools

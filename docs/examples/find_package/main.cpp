@@ -12,8 +12,8 @@ int main() {
 
     const AuditReport report = audit(surface);
     std::cout << "valid " << report.is_valid() << ", genus " << surface.genus() << ", least degree "
-              << report.degrees->min << ", parallel pairs "
-              << report.parallels->pairs_joined_twice << '\n';
+              << report.degrees->min << ", parallel pairs " << report.parallels->pairs_joined_twice
+              << '\n';
 
     surface.unflip(e);
     return surface == families::tetrahedron() ? 0 : 1;

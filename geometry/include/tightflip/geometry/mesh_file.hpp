@@ -48,7 +48,7 @@ struct MeshFileOptions {
                                           const MeshFileOptions& options = {});
 
 /// Reads a file's bytes; `source` names them in messages and lends its extension.
-[[nodiscard]] TriangleSoup read_mesh(std::string_view bytes, std::string source,
+[[nodiscard]] TriangleSoup read_mesh(std::string_view bytes, const std::string& source,
                                      const MeshFileOptions& options = {});
 
 /// The format by content, or else by the extension of `source`; empty where neither says.

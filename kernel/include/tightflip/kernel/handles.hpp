@@ -19,7 +19,8 @@ struct Handle {
 
     [[nodiscard]] constexpr bool is_valid() const noexcept { return id >= 0; }
     friend constexpr bool operator==(Handle, Handle) noexcept = default;
-    friend constexpr auto operator<=>(Handle, Handle) noexcept = default;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the ordering's 0 for a pointer
+    friend constexpr std::strong_ordering operator<=>(Handle, Handle) noexcept = default;
 };
 
 /// A vertex: the label that a corner carries, 0 <= id < vertex count.
@@ -30,11 +31,17 @@ using Halfedge = Handle<struct HalfedgeTag>;
 using Edge = Handle<struct EdgeTag>;
 
 /// The halfedge on the other side of the same edge, in the opposite direction.
-[[nodiscard]] constexpr Halfedge twin(Halfedge h) noexcept { return {h.id ^ 1}; }
+[[nodiscard]] constexpr Halfedge twin(Halfedge h) noexcept {
+    return {h.id ^ 1};
+}
 /// The edge that `h` is a side of.
-[[nodiscard]] constexpr Edge edge_of(Halfedge h) noexcept { return {h.id >> 1}; }
+[[nodiscard]] constexpr Edge edge_of(Halfedge h) noexcept {
+    return {h.id >> 1};
+}
 /// The even halfedge of `e`; the odd one is its twin.
-[[nodiscard]] constexpr Halfedge halfedge_of(Edge e) noexcept { return {2 * e.id}; }
+[[nodiscard]] constexpr Halfedge halfedge_of(Edge e) noexcept {
+    return {2 * e.id};
+}
 
 }  // namespace tightflip::kernel
 
