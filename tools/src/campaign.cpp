@@ -93,21 +93,23 @@ std::string log_name(const std::string& first, std::size_t number) {
         .string();
 }
 
-Exit run_on(const Output& output, const Options& options, const std::string& name,
-            const Triangulation& start, std::size_t number) {
+CampaignReport run_with_bar(const Options& options, const std::string& name,
+                            const Triangulation& start) {
     ProgressBar bar(name);
     properties::CampaignOptions campaign{.flips = options.flips,
                                          .seed = options.request.seed,
                                          .audit_every = options.audit_every,
-                                         .time_limit = {},
-                                         .interrupted = [] { return interrupted.load(); },
-                                         .progress =
-                                             [&](const properties::CampaignProgress& p) {
-                                                 bar.show(p.attempted, p.total, p.seconds);
-                                             }};
+                                         .interrupted = [] { return interrupted.load(); }};
+    campaign.progress = [&](const properties::CampaignProgress& p) {
+        bar.show(p.attempted, p.total, p.seconds);
+    };
     if (options.seconds) campaign.time_limit = std::chrono::duration<double>(*options.seconds);
-    const CampaignReport report = run_campaign(start, campaign);
+    return run_campaign(start, campaign);
+}
 
+Exit run_on(const Output& output, const Options& options, const std::string& name,
+            const Triangulation& start, std::size_t number) {
+    const CampaignReport report = run_with_bar(options, name, start);
     Json json{{"file", name},
               {"vertices", start.vertex_count()},
               {"genus", start.genus()},
