@@ -4,7 +4,7 @@ packages_test=("${packages_build[@]}" libgtest-dev libgmock-dev librapidcheck-de
                pkg-config)
 packages_bench=("${packages_build[@]}" libbenchmark-dev libcgal-dev libopenmesh-dev)
 packages_fuzz=(clang libclang-rt-14-dev)
-packages_lint=("${packages_fuzz[@]}" clang-format clang-tidy)
+packages_lint=("${packages_fuzz[@]}" clang-format clang-tidy git)
 
 # install_missing PACKAGE...: installs with apt-get what dpkg does not know to be installed.
 install_missing() {

@@ -12,7 +12,7 @@ namespace tightflip::geometry {
 namespace {
 
 std::filesystem::path model(const std::string& name) {
-    return std::filesystem::path(TIGHTFLIP_SHARED_MESHES) / name;
+    return std::filesystem::path(TIGHTFLIP_MESHES) / name;
 }
 
 struct Expected {

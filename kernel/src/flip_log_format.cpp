@@ -7,7 +7,9 @@
 #include <tightflip/kernel/surface_text.hpp>
 
 #include <charconv>
+#include <limits>
 #include <ostream>
+#include <stdexcept>
 
 namespace tightflip::kernel {
 namespace {
@@ -46,6 +48,12 @@ std::uint64_t checksum(Index vertex_count, HalfedgeTable table, std::span<const 
 
 std::uint64_t checksum(const FlipLog& log) {
     return checksum(log.start.vertex_count(), log.start.table(), log.flips);
+}
+
+void require_writable(const FlipLog& log) {
+    if (log.flips.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
+        throw std::length_error("a flip log holds at most 2^31 - 1 flips; cut it into several");
+    }
 }
 
 std::string hexadecimal(std::uint64_t value) {
@@ -190,6 +198,7 @@ FlipLog parse_binary(std::string_view bytes, const std::string& source) {
 }  // namespace
 
 void write_text(std::ostream& out, const FlipLog& log) {
+    require_writable(log);
     PlainWriter text(out);
     text << text_header << ' ' << version << '\n';
     write_table(out, log.start.table(), log.start.vertex_count());
@@ -200,6 +209,7 @@ void write_text(std::ostream& out, const FlipLog& log) {
 }
 
 void write_binary(std::ostream& out, const FlipLog& log) {
+    require_writable(log);
     PlainWriter(out) << binary_magic;
     put_index(out, version);
     put_index(out, log.start.vertex_count());

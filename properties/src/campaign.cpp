@@ -21,18 +21,21 @@ struct Failing {
 
 /// The script cut to what still fails. Scripts are judged without audits in between: a broken
 /// surface stays broken, and what only an audit sees is seen at the end.
-Failing shrunk(Triangulation start, FlipScript script) {
+Failing shrunk(Triangulation start, FlipScript script, const std::function<bool()>& interrupted) {
     constexpr std::size_t most_calls = 3000;
     script = shrink(
         std::move(script),
-        [&](std::span<const Edge> s) { return topology_is_preserved(start, s, 0).has_value(); },
+        [&](std::span<const Edge> s) {
+            const bool give_up = interrupted && interrupted();
+            return !give_up && topology_is_preserved(start, s, 0).has_value();
+        },
         most_calls);
     Finding finding = topology_is_preserved(start, script, 0).value();
     return {std::move(start), std::move(script), std::move(finding)};
 }
 
 /// The same fault on the smallest surface of the genus on which short random scripts show it.
-std::optional<Failing> small_failure(Index genus) {
+std::optional<Failing> small_failure(Index genus, const std::function<bool()>& interrupted) {
     constexpr Index sizes = 6;
     constexpr int tries = 40;
     constexpr std::size_t length = 64;
@@ -45,7 +48,7 @@ std::optional<Failing> small_failure(Index genus) {
             const auto finding = topology_is_preserved(start, script);
             if (!finding) continue;
             script.resize(finding->step);
-            return shrunk(start, std::move(script));
+            return shrunk(start, std::move(script), interrupted);
         }
     }
     return std::nullopt;
@@ -57,9 +60,10 @@ class Campaign {
 public:
     Campaign(const Triangulation& start, const CampaignOptions& options)
         : options_(options),
-          audit_every_(options.audit_every != 0
-                           ? options.audit_every
-                           : 32 * static_cast<std::uint64_t>(start.edge_count())),
+          audit_every_(std::min(options.audit_every != 0
+                                    ? options.audit_every
+                                    : 32 * static_cast<std::uint64_t>(start.edge_count()),
+                                most_between_audits)),
           edges_(static_cast<std::uint32_t>(start.edge_count())),
           topology_(audit(start).topology),
           surface_(start),
@@ -68,13 +72,16 @@ public:
           good_random_(random_) {}
 
     CampaignReport run() {
-        audit_now();
+        audit_now(first_violation);
         while (!report_.failure && report_.attempted < options_.flips && !is_stopped()) {
             run_block(std::min({options_.flips - report_.attempted, audit_every_ - since_good_,
                                 std::uint64_t{block}}));
-            if (!report_.failure && since_good_ == audit_every_) audit_now();
+            if (!report_.failure && since_good_ == audit_every_ &&
+                report_.attempted < options_.flips) {
+                audit_now(first_violation_quickly);
+            }
         }
-        if (!report_.failure && since_good_ != 0) audit_now();
+        if (!report_.failure && !end_is_audited_) audit_now(first_violation);
         report_.seconds = seconds();
         return std::move(report_);
     }
@@ -82,6 +89,8 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     static constexpr std::uint64_t block = 1U << 16;  // attempts between looks at the clock
+    // What came since the last good audit must fit into memory as a script.
+    static constexpr std::uint64_t most_between_audits = std::uint64_t{1} << 26;
 
     Edge draw(RandomStream& random) const { return {static_cast<Index>(random.below(edges_))}; }
 
@@ -98,6 +107,7 @@ private:
     }
 
     void run_block(std::uint64_t attempts) {
+        end_is_audited_ = false;
         for (std::uint64_t k = 0; k < attempts; ++k) {
             const Edge e = draw(random_);
             const CheckedFlip step = checked_flip(surface_, e);
@@ -108,9 +118,10 @@ private:
         }
     }
 
-    void audit_now() {
+    void audit_now(decltype(first_violation)& judge) {
         ++report_.audits;
-        if (auto violation = first_violation(surface_, topology_)) {
+        end_is_audited_ = &judge == &first_violation;
+        if (auto violation = judge(surface_, topology_)) {
             return fail(*std::move(violation));
         }
         good_surface_ = surface_;
@@ -119,22 +130,29 @@ private:
     }
 
     void fail(Violation violation) {
-        FlipScript script(since_good_);
-        RandomStream random = good_random_;
-        for (Edge& e : script)
-            e = draw(random);
-        Failing failing{good_surface_, std::move(script), {since_good_, violation}};
-        if (topology_is_preserved(failing.start, failing.script, 0)) {
-            failing = shrunk(std::move(failing.start), std::move(failing.script));
-        }
-        if (auto small = small_failure(surface_.genus());
-            small && small->start.edge_count() <= failing.start.edge_count()) {
-            failing = *std::move(small);
-        }
+        report_.stopped_early = false;
+        Failing failing = made_small(violation);
         report_.failure =
             CampaignFailure{std::move(violation), report_.attempted,
                             FlipLog{std::move(failing.start), std::move(failing.script)},
                             std::move(failing.finding)};
+    }
+
+    /// The fault on a small surface where it shows there, else what came since the last good audit,
+    /// shrunk where that fails again.
+    [[nodiscard]] Failing made_small(const Violation& violation) const {
+        if (auto small = small_failure(surface_.genus(), options_.interrupted);
+            small && small->start.edge_count() <= surface_.edge_count()) {
+            return *std::move(small);
+        }
+        FlipScript script(since_good_);
+        RandomStream random = good_random_;
+        for (Edge& e : script)
+            e = draw(random);
+        if (!topology_is_preserved(good_surface_, script, 0)) {
+            return {good_surface_, std::move(script), {since_good_, violation}};
+        }
+        return shrunk(good_surface_, std::move(script), options_.interrupted);
     }
 
     const CampaignOptions& options_;
@@ -146,6 +164,7 @@ private:
     Triangulation good_surface_;  // the last that passed a full audit, and the stream from there
     RandomStream good_random_;
     std::uint64_t since_good_ = 0;
+    bool end_is_audited_ = false;  // the whole ladder was climbed after the last attempt
     Clock::time_point began_ = Clock::now();
     CampaignReport report_;
 };

@@ -47,12 +47,26 @@ std::vector<Violation> changes(const Topology& start, const Topology& now) {
     return found;
 }
 
-std::optional<Violation> first_violation(const Triangulation& surface, const Topology& start) {
-    AuditReport report = audit(surface, {.max_per_code = 1, .statistics = false});
+namespace {
+
+constexpr kernel::AuditOptions first_only{.max_per_code = 1, .statistics = false};
+
+std::optional<Violation> first_of(AuditReport report, const Topology& start) {
     if (!report.is_valid()) return std::move(report.violations.front());
     std::vector<Violation> changed = changes(start, report.topology);
     if (!changed.empty()) return std::move(changed.front());
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Violation> first_violation(const Triangulation& surface, const Topology& start) {
+    return first_of(climb_audit_ladder(surface.table(), surface.vertex_count(), first_only), start);
+}
+
+std::optional<Violation> first_violation_quickly(const Triangulation& surface,
+                                                 const Topology& start) {
+    return first_of(audit(surface, first_only), start);
 }
 
 CheckedFlip checked_flip(Triangulation& surface, Edge e) {

@@ -66,7 +66,9 @@ void Output::object(const Json& json) const {
 }
 
 void Output::complain(std::string_view line) {
-    fmt::print(stderr, "tightflip: {}\n", line);
+    // Where standard error is lost too, the exit code is all that can be said.
+    const std::string text = fmt::format("tightflip: {}\n", line);
+    static_cast<void>(std::fputs(text.c_str(), stderr));
 }
 
 bool Output::is_broken() {
@@ -98,7 +100,10 @@ Exit for_each_input(const Output& output, const std::vector<std::string>& inputs
 CLI::Validator whole_number(std::uint64_t least) {
     return {[least](std::string& text) {
                 std::uint64_t value = 0;
-                if (parse(text, value) && value >= least) return std::string{};
+                if (parse(text, value) && value >= least) {
+                    text = std::to_string(value);  // the parser takes 010 for eight
+                    return std::string{};
+                }
                 return fmt::format("'{}' is no whole number from {} up", text, least);
             },
             ""};

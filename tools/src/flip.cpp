@@ -40,6 +40,13 @@ FlipLog planned(const Options& options) {
     return log;
 }
 
+/// Whether two names lead to one file, existing or not.
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(a, ignored) ==
+           std::filesystem::weakly_canonical(b, ignored);
+}
+
 /// The files asked for: both or, where one cannot be written, neither.
 void write(const Options& options, const FlipLog& log, const Triangulation& surface) {
     const auto write_log = [&] {
@@ -62,7 +69,7 @@ Exit flip(const Output& output, const Options& options) {
               {"flips", log.flips.size()}};
     if (!result.is_complete()) {
         const std::string reason =
-            fmt::format("flip {} of {}: {}", result.done, log.flips.size(), result.reason);
+            fmt::format("flip {} of {}: {}", result.done + 1, log.flips.size(), result.reason);
         json["reason"] = reason;
         output.say(fmt::format("{}: stopped at {}; nothing was written", options.file, reason));
         output.object(json);
@@ -95,7 +102,7 @@ void add_flip(CLI::App& app, const Output& output, Action& action) {
         if (options->script.empty() && options->edges.empty()) {
             throw CLI::RequiredError("--script or --edges");
         }
-        if (!options->output_file.empty() && options->output_file == options->log_file) {
+        if (!options->output_file.empty() && same_file(options->output_file, options->log_file)) {
             throw CLI::ValidationError("--log", "must be another file than --output");
         }
         action = [&output, options] {

@@ -11,7 +11,7 @@ ProgressBar::ProgressBar(std::string title)
     : title_(std::move(title)), is_terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
-    if (is_terminal_ && shown_at_ >= 0) fmt::print(stderr, "\r\033[K");
+    if (is_terminal_ && shown_at_ >= 0) static_cast<void>(std::fputs("\r\033[K", stderr));
 }
 
 void ProgressBar::show(std::uint64_t done, std::uint64_t total, double seconds) {

@@ -25,7 +25,7 @@ std::string objection(const FlipLog& log, const kernel::Replay& result,
                       const std::optional<properties::Finding>& finding) {
     if (finding) return properties::describe(*finding);
     if (result.is_complete()) return {};
-    return fmt::format("flip {} of {}: {}", result.done, log.flips.size(), result.reason);
+    return fmt::format("flip {} of {}: {}", result.done + 1, log.flips.size(), result.reason);
 }
 
 Exit replay_one(const Output& output, const Options& options, const std::string& file) {

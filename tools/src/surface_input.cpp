@@ -61,6 +61,7 @@ AuditReport SurfaceInput::audit() const {
                                kernel::AuditOptions{}.max_per_code);
     report.violations.insert(report.violations.begin(), reading.violations.begin(),
                              reading.violations.begin() + kept);
+    std::ranges::stable_sort(report.violations, kernel::precedes);
     return report;
 }
 

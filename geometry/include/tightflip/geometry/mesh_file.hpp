@@ -10,13 +10,13 @@
 /// success or failure alone, not with the place; they also accept `f 1 2x 3`, and they size their
 /// arrays by the header of a file of a few bytes.
 ///
-/// | format | read | refused |
-/// |---|---|---|
-/// | OBJ | `v`, `f` in all forms, relative indices, `\` at a line's end | free-form curves, `call`
-/// | | OFF | OFF with any of ST, C, N before it, the keyword glued to or on the line of the counts
-/// | 4OFF, nOFF, BINARY | | PLY | ascii and binary of both byte orders, extra elements and
-/// properties | triangle strips | | STL | ascii (several solids too) and binary; equal coordinates
-/// are one vertex, -0 equals 0 | |
+/// - OBJ: `v`, `f` in all forms, relative indices, a backslash at a line's end; refused: free-form
+///   curves, `call`.
+/// - OFF: with any of ST, C, N before it, the keyword glued to or on the line of the counts;
+///   refused: 4OFF, nOFF, BINARY.
+/// - PLY: ASCII and binary of both byte orders, extra elements and properties; refused: triangle
+///   strips.
+/// - STL: ASCII (several solids too) and binary; equal coordinates are one vertex, -0 equals 0.
 #pragma once
 
 #include <tightflip/geometry/triangle_soup.hpp>

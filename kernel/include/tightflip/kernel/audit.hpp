@@ -50,8 +50,8 @@ struct Topology {
     Index components = 0;  ///< of faces, joined by sides
     Index euler_characteristic = 0;
     bool orientable = false;
-    /// For a connected closed surface: (2 - chi) / 2 when orientable, else the number of
-    /// cross-caps 2 - chi. Otherwise empty.
+    /// Where nothing is wrong but perhaps orientability: (2 - chi) / 2 when orientable, else the
+    /// number of cross-caps 2 - chi. Otherwise empty.
     std::optional<Index> genus;
 
     friend constexpr bool operator==(const Topology&, const Topology&) = default;
@@ -73,7 +73,7 @@ struct AuditReport {
     [[nodiscard]] constexpr bool is_closed_surface() const noexcept {
         return violation_count == (reached_top && !topology.orientable ? 1 : 0);
     }
-    /// Definition 2.1: valid, and the graph is simple. Empty where statistics were not asked for.
+    /// Definition 2.1, of a valid surface: the graph is simple. Empty without statistics.
     /// (The sphere of two faces is not simplicial: its faces share all three edges.)
     [[nodiscard]] constexpr std::optional<bool> is_simple() const noexcept {
         if (!parallels) return std::nullopt;

@@ -29,9 +29,7 @@ public:
             if (options_.statistics) count_parallel_edges();
             conclude();
         }
-        std::ranges::sort(report_.violations, [](const Violation& a, const Violation& b) {
-            return std::pair(a.code, a.place) < std::pair(b.code, b.place);
-        });
+        std::ranges::sort(report_.violations, precedes);
         return std::move(report_);
     }
 

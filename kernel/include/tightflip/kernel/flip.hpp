@@ -32,7 +32,7 @@ enum class FlipRefusal : std::uint8_t {
 }
 
 /// The answer of a flip: true when it is defined (and was done, where it was asked for).
-class [[nodiscard]] FlipVerdict {
+class FlipVerdict {
 public:
     constexpr FlipVerdict(FlipRefusal refusal) noexcept  // NOLINT(google-explicit-constructor)
         : refusal_(refusal) {}

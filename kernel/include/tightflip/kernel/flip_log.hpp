@@ -52,7 +52,8 @@ private:
     Triangulation surface_;
 };
 
-/// Text and compact binary, versioned, ending in a checksum of the content.
+/// Text and compact binary, versioned, ending in a checksum of the content. Throws
+/// std::length_error for more than 2^31 - 1 flips.
 void write_text(std::ostream& out, const FlipLog& log);
 void write_binary(std::ostream& out, const FlipLog& log);
 

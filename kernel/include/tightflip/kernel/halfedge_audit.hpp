@@ -78,9 +78,7 @@ struct TableReading {
     report.topology.vertices = vertex_count;
     report.topology.edges = static_cast<Index>(table.size() / 2);
     report.violation_count = static_cast<std::int64_t>(reading.violations.size());
-    std::ranges::sort(reading.violations, [](const Violation& a, const Violation& b) {
-        return std::pair(a.code, a.place) < std::pair(b.code, b.place);
-    });
+    std::ranges::sort(reading.violations, precedes);
     ViolationCode code{};
     std::int64_t of_code = 0;
     for (Violation& violation : reading.violations) {

@@ -11,7 +11,7 @@
 #include <tightflip/kernel/flip.hpp>
 #include <tightflip/kernel/halfedge_audit.hpp>
 
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace tightflip::kernel {

@@ -75,6 +75,11 @@ struct Violation {
     friend constexpr bool operator==(const Violation&, const Violation&) = default;
 };
 
+/// The order in which reports list violations: by code, then by place.
+[[nodiscard]] constexpr bool precedes(const Violation& a, const Violation& b) noexcept {
+    return a.code != b.code ? a.code < b.code : a.place < b.place;
+}
+
 /// The stable name of a code, e.g. "vertex_with_several_fans".
 [[nodiscard]] std::string_view name(ViolationCode code) noexcept;
 /// What the code means, in one line that fits every instance.

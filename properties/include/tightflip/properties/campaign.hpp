@@ -22,7 +22,7 @@ struct CampaignOptions {
     std::uint64_t flips = 1'000'000;  ///< attempts; a refused flip is one
     std::uint64_t seed = 0;
     /// A full audit after that many attempts, besides one at each end; 0: 32 times the number of
-    /// edges, so that audits cost a few per cent of the run.
+    /// edges, so that audits cost a few per cent of the run. At most 2^26.
     std::uint64_t audit_every = 0;
     std::optional<std::chrono::duration<double>> time_limit{};
     /// Asked now and then; true stops the campaign, undecided.
@@ -50,12 +50,14 @@ struct CampaignReport {
 };
 
 /// Flips random edges of `start` under `checked_flip`, with full audits in between, until all
-/// attempts are made, a violation is found (it is then shrunk; see `shrink` and the search for a
-/// small start below) or it is stopped. Constant time an attempt and linear time an audit; memory:
-/// three copies of the surface and the audit's scratch, whatever the number of flips.
+/// attempts are made, a violation is found or it is stopped. The audits at the ends climb the whole
+/// ladder, those in between ask the quick judge first. Constant time an attempt and linear time an
+/// audit; memory: two copies of the surface and the audit's scratch, whatever the number of flips;
+/// on a violation also the script since the last good audit, 4 bytes an attempt.
 ///
-/// A failing script is shrunk from the last surface that passed an audit; where the same kernel
-/// fails on a small surface of the same genus too, the log starts from that one instead.
+/// A violation is made small: where the same kernel fails on a small surface of the same genus too,
+/// the log starts from that one, else from the last surface that passed an audit; its script is
+/// then shrunk, until `interrupted` says to stop.
 [[nodiscard]] CampaignReport run_campaign(const Triangulation& start,
                                           const CampaignOptions& options);
 
