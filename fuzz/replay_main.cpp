@@ -1,9 +1,8 @@
-// flip_script_replay [--verbose] FILE|DIRECTORY...: runs the target flip_script on inputs from
-// files, without libFuzzer. Exit code 0: every claim held of every input; 1: one did not; 2: an
-// argument could not be read, or there was no input.
+// TARGET_replay [--verbose] FILE|DIRECTORY...: runs a target on inputs from files, without
+// libFuzzer. Exit code 0: every claim held of every input; 1: one did not; 2: an argument could not
+// be read, or there was no input.
 
-#include "decode.hpp"
-#include "flip_script.hpp"
+#include "target.hpp"
 #include <tightflip/kernel/file_io.hpp>
 
 #include <algorithm>
@@ -31,18 +30,13 @@ std::vector<std::filesystem::path> files_at(const std::filesystem::path& path) {
 bool replay(const std::filesystem::path& path, bool verbose) {
     const std::string text = kernel::read_file(path);
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-    const properties::FlipCase flip_case = fuzz::decode(bytes);
-    const kernel::FlipLog log = flip_case.log();
-    const auto broken = fuzz::first_broken_claim(log);
-    if (verbose || broken) {
-        std::cout << path.string() << ": " << describe(flip_case) << "\n";
-        properties::write_in_words(std::cout, log);
+    const std::string objected = fuzz::objection(bytes);
+    if (verbose || !objected.empty()) {
+        std::cout << path.string() << ": ";
+        fuzz::show(std::cout, bytes);
     }
-    if (broken) {
-        std::cout << path.string() << ": " << broken->claim
-                  << " does not hold: " << describe(broken->finding) << "\n";
-    }
-    return !broken;
+    if (!objected.empty()) std::cout << path.string() << ": " << objected << "\n";
+    return objected.empty();
 }
 
 }  // namespace
@@ -68,7 +62,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (inputs == 0) {
-        std::cerr << "usage: flip_script_replay [--verbose] FILE|DIRECTORY...\n";
+        std::cerr << "usage: " << argv[0] << " [--verbose] FILE|DIRECTORY...\n";
         return 2;
     }
     std::cout << inputs << " inputs, " << (all_hold ? "every claim held" : "claims do not hold")

@@ -1,10 +1,9 @@
 // What the regression corpus is there for; that every claim holds of it is the replayer's test.
 
 #include "decode.hpp"
-#include <tightflip/kernel/file_io.hpp>
+#include "target_corpus.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <vector>
 
@@ -13,12 +12,10 @@
 namespace tightflip::fuzz {
 namespace {
 
-std::vector<kernel::FlipLog> corpus() {
+std::vector<kernel::FlipLog> corpus_logs() {
     std::vector<kernel::FlipLog> logs;
-    for (const auto& entry : std::filesystem::directory_iterator(TIGHTFLIP_FUZZ_CORPUS)) {
-        const std::string text = kernel::read_file(entry.path());
-        logs.push_back(decode(std::vector<std::uint8_t>(text.begin(), text.end())).log());
-    }
+    for (const auto& bytes : corpus("flip_script"))
+        logs.push_back(decode(bytes).log());
     return logs;
 }
 
@@ -39,7 +36,7 @@ TEST(Corpus, HasBooksDegenerateFlipsRefusalsAndHigherGenus) {
     bool refusal = false;
     bool torus_of_three = false;
     bool same_edge_four_times = false;
-    for (const kernel::FlipLog& log : corpus()) {
+    for (const kernel::FlipLog& log : corpus_logs()) {
         genera.insert(log.start.genus());
         torus_of_three |= log.start.genus() == 1 && log.start.vertex_count() == 3;
         kernel::Triangulation surface = log.start;
@@ -51,7 +48,7 @@ TEST(Corpus, HasBooksDegenerateFlipsRefusalsAndHigherGenus) {
         same_edge_four_times |=
             log.flips.size() == 4 && log.flips == std::vector(4, log.flips.front());
     }
-    EXPECT_GE(corpus().size(), 10U);
+    EXPECT_GE(corpus_logs().size(), 10U);
     EXPECT_EQ(genera, (std::set<kernel::Index>{0, 1, 2, 3}));
     EXPECT_TRUE(vertex_of_degree_two_made_and_unmade);
     EXPECT_TRUE(refusal);

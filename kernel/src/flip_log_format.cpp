@@ -6,10 +6,12 @@
 #include <tightflip/kernel/flip_log.hpp>
 #include <tightflip/kernel/surface_text.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <ostream>
 #include <stdexcept>
+#include <streambuf>
 
 namespace tightflip::kernel {
 namespace {
@@ -33,24 +35,20 @@ private:
     std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
 
-std::uint64_t checksum(Index vertex_count, HalfedgeTable table, std::span<const Edge> flips) {
+std::uint64_t checksum(const FlipLogView& log) {
     Checksum sum;
-    sum.add(vertex_count);
-    sum.add(static_cast<Index>(table.size()));
-    for (const auto& [next, origin] : table) {
+    sum.add(log.start.vertex_count);
+    sum.add(static_cast<Index>(log.start.records.size()));
+    for (const auto& [next, origin] : log.start.records) {
         sum.add(next.id);
         sum.add(origin.id);
     }
-    for (const Edge e : flips)
+    for (const Edge e : log.flips)
         sum.add(e.id);
     return sum.value();
 }
 
-std::uint64_t checksum(const FlipLog& log) {
-    return checksum(log.start.vertex_count(), log.start.table(), log.flips);
-}
-
-void require_writable(const FlipLog& log) {
+void require_writable(const FlipLogView& log) {
     if (log.flips.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
         throw std::length_error("a flip log holds at most 2^31 - 1 flips; cut it into several");
     }
@@ -63,21 +61,16 @@ std::string hexadecimal(std::uint64_t value) {
     return digits;
 }
 
-/// What both readers end with: the content is what was written, and its start is a surface.
-template <class Fail>
-FlipLog concluded(RawTable table, std::vector<Edge> flips, std::uint64_t expected, Fail&& fail) {
-    if (checksum(table.vertex_count, table.records, flips) != expected) {
-        fail("the checksum does not fit the content: the log is damaged or was edited");
+/// What both readers end with: the content is what was written.
+template <class Cursor>
+RawFlipLog concluded(RawFlipLog log, std::uint64_t expected, const Cursor& cursor) {
+    if (checksum(log) != expected) {
+        cursor.fail("the checksum does not fit the content: the log is damaged or was edited");
     }
-    BuildResult start = build(std::move(table.records), table.vertex_count);
-    if (!start) {
-        const Violation& first = start.report.violations.front();
-        fail("the log's start is no valid surface: " + where(first) + ": " + message(first));
-    }
-    return {std::move(start).value(), std::move(flips)};
+    return log;
 }
 
-FlipLog parse_text(std::string_view text, const std::string& source) {
+RawFlipLog parse_text(std::string_view text, const std::string& source) {
     TextCursor cursor(text, source);
     cursor.require_line("the format's name and version");
     cursor.require_word(text_header);
@@ -104,20 +97,44 @@ FlipLog parse_text(std::string_view text, const std::string& source) {
     }
     cursor.require_end_of_line("the checksum");
     if (cursor.next_line()) cursor.fail("nothing should follow the checksum");
-    return concluded(std::move(table), std::move(flips), sum,
-                     [&](const std::string& reason) { cursor.fail(reason); });
+    return concluded({std::move(table), std::move(flips)}, sum, cursor);
 }
 
 // ---- binary: little-endian words, flips as variable-length integers of 7 bits a byte ----
 
-void put_word(std::ostream& out, std::uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i)
-        out.put(static_cast<char>((value >> (8 * i)) & 0xffU));
-}
+/// Writes in blocks: a stream takes its time over single bytes.
+class ByteWriter {
+public:
+    explicit ByteWriter(std::ostream& out) : out_(out) { block_.reserve(block_size); }
 
-void put_index(std::ostream& out, Index value) {
-    put_word(out, static_cast<std::uint32_t>(value), 4);
-}
+    void word(std::uint64_t value, int bytes) {
+        for (int i = 0; i < bytes; ++i)
+            byte(value >> (8 * i));
+    }
+    void index(Index value) { word(static_cast<std::uint32_t>(value), 4); }
+    void variable_length(Index value) {
+        auto rest = static_cast<std::uint32_t>(value);
+        for (; rest >= 0x80U; rest >>= 7)
+            byte((rest & 0x7fU) | 0x80U);
+        byte(rest);
+    }
+    /// Must come last.
+    void flush() {
+        out_.write(block_.data(), static_cast<std::streamsize>(block_.size()));
+        block_.clear();
+    }
+
+private:
+    static constexpr std::size_t block_size = std::size_t{1} << 16;
+
+    void byte(std::uint64_t value) {
+        if (block_.size() == block_size) flush();
+        block_ += static_cast<char>(value & 0xffU);
+    }
+
+    std::ostream& out_;
+    std::string block_;
+};
 
 class ByteCursor {
 public:
@@ -164,7 +181,7 @@ private:
     std::size_t position_ = 0;
 };
 
-FlipLog parse_binary(std::string_view bytes, const std::string& source) {
+RawFlipLog parse_binary(std::string_view bytes, const std::string& source) {
     ByteCursor cursor(bytes, source);
     cursor.word(static_cast<int>(binary_magic.size()));
     const Index found = cursor.index();
@@ -191,41 +208,84 @@ FlipLog parse_binary(std::string_view bytes, const std::string& source) {
     }
     const std::uint64_t sum = cursor.word(8);
     if (cursor.left() != 0) cursor.fail("nothing should follow the checksum");
-    return concluded(std::move(table), std::move(flips), sum,
-                     [&](const std::string& reason) { cursor.fail(reason); });
+    return concluded({std::move(table), std::move(flips)}, sum, cursor);
 }
+
+RawFlipLog parse(std::string_view bytes, const std::string& source) {
+    if (bytes.starts_with(binary_magic)) return parse_binary(bytes, source);
+    if (bytes.starts_with(text_header)) return parse_text(bytes, source);
+    throw FileError(source, FileError::Unit::byte, 0,
+                    "this is no flip log: it begins neither with '" + std::string(text_header) +
+                        "' nor with the mark of the binary form");
+}
+
+/// Refuses a log at a byte, or at its line.
+[[noreturn]] void fail_at(std::string_view bytes, std::size_t position, const std::string& source,
+                          const std::string& reason) {
+    if (bytes.starts_with(binary_magic)) {
+        throw FileError(source, FileError::Unit::byte, position, reason);
+    }
+    const auto before = std::ranges::count(bytes.substr(0, position), '\n');
+    throw FileError(source, FileError::Unit::line, static_cast<std::uint64_t>(before) + 1, reason);
+}
+
+// ---- the spelling ----
+
+/// A stream that keeps nothing but how far what is written to it is what stands in a text.
+class ComparingBuffer : public std::streambuf {
+public:
+    explicit ComparingBuffer(std::string_view expected) : expected_(expected) {}
+
+    /// Bytes before the first that differs.
+    [[nodiscard]] std::size_t matched() const noexcept { return matched_; }
+
+protected:
+    int_type overflow(int_type c) override {
+        const char byte = traits_type::to_char_type(c);
+        return xsputn(&byte, 1) == 1 ? c : traits_type::eof();
+    }
+    std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+        const std::string_view written(bytes, static_cast<std::size_t>(count));
+        const std::string_view ahead = expected_.substr(matched_, written.size());
+        const auto equal = std::ranges::mismatch(written, ahead).in1 - written.begin();
+        matched_ += static_cast<std::size_t>(equal);
+        return equal;
+    }
+
+private:
+    std::string_view expected_;
+    std::size_t matched_ = 0;
+};
 
 }  // namespace
 
-void write_text(std::ostream& out, const FlipLog& log) {
+void write_text(std::ostream& out, const FlipLogView& log) {
     require_writable(log);
     PlainWriter text(out);
     text << text_header << ' ' << version << '\n';
-    write_table(out, log.start.table(), log.start.vertex_count());
+    write_table(out, log.start.records, log.start.vertex_count);
     text << "flips " << log.flips.size() << '\n';
     for (const Edge e : log.flips)
         text << e.id << '\n';
     text << "check " << hexadecimal(checksum(log)) << '\n';
 }
 
-void write_binary(std::ostream& out, const FlipLog& log) {
+void write_binary(std::ostream& out, const FlipLogView& log) {
     require_writable(log);
     PlainWriter(out) << binary_magic;
-    put_index(out, version);
-    put_index(out, log.start.vertex_count());
-    put_index(out, log.start.halfedge_count());
-    for (const auto& [next, origin] : log.start.table()) {
-        put_index(out, next.id);
-        put_index(out, origin.id);
+    ByteWriter bytes(out);
+    bytes.index(version);
+    bytes.index(log.start.vertex_count);
+    bytes.index(static_cast<Index>(log.start.records.size()));
+    for (const auto& [next, origin] : log.start.records) {
+        bytes.index(next.id);
+        bytes.index(origin.id);
     }
-    put_index(out, static_cast<Index>(log.flips.size()));
-    for (const Edge e : log.flips) {
-        auto rest = static_cast<std::uint32_t>(e.id);
-        for (; rest >= 0x80U; rest >>= 7)
-            out.put(static_cast<char>((rest & 0x7fU) | 0x80U));
-        out.put(static_cast<char>(rest));
-    }
-    put_word(out, checksum(log), 8);
+    bytes.index(static_cast<Index>(log.flips.size()));
+    for (const Edge e : log.flips)
+        bytes.variable_length(e.id);
+    bytes.word(checksum(log), 8);
+    bytes.flush();
 }
 
 bool is_flip_log(std::string_view bytes) noexcept {
@@ -233,11 +293,31 @@ bool is_flip_log(std::string_view bytes) noexcept {
 }
 
 FlipLog parse_flip_log(std::string_view bytes, const std::string& source) {
-    if (bytes.starts_with(binary_magic)) return parse_binary(bytes, source);
-    if (bytes.starts_with(text_header)) return parse_text(bytes, source);
-    throw FileError(source, FileError::Unit::byte, 0,
-                    "this is no flip log: it begins neither with '" + std::string(text_header) +
-                        "' nor with the mark of the binary form");
+    RawFlipLog log = parse(bytes, source);
+    BuildResult start = build(std::move(log.start.records), log.start.vertex_count);
+    if (!start) {
+        const Violation& first = start.report.violations.front();
+        fail_at(bytes, bytes.size() - 1, source,
+                "the log's start is no valid surface: " + where(first) + ": " + message(first));
+    }
+    return {std::move(start).value(), std::move(log.flips)};
+}
+
+RawFlipLog parse_flip_log_as_written(std::string_view bytes, const std::string& source) {
+    RawFlipLog log = parse(bytes, source);
+    ComparingBuffer buffer(bytes);
+    std::ostream out(&buffer);  // the first byte that differs makes it fail, and it takes no more
+    if (bytes.starts_with(binary_magic)) {
+        write_binary(out, log);
+    } else {
+        write_text(out, log);
+    }
+    if (!out || buffer.matched() != bytes.size()) {
+        fail_at(bytes, buffer.matched(), source,
+                "the log is sound, but from here on not spelled as this program writes it; as a "
+                "certificate every byte counts");
+    }
+    return log;
 }
 
 }  // namespace tightflip::kernel

@@ -113,6 +113,10 @@ constexpr std::array entries{
     Entry{log_not_reproduced, "log_not_reproduced",
           "a log or surface written down and read back is not the one that was written",
           "what was written and read back is not the same"},
+    Entry{path_does_not_connect, "path_does_not_connect",
+          "a flip path between two surfaces is missing, does not end in the second, or is longer "
+          "than its bound",
+          "its path of {found} flips, {expected} at most, does not lead to the other end"},
 };
 
 const Entry& entry(ViolationCode code) noexcept {

@@ -1,3 +1,4 @@
+#include "disguises.hpp"
 #include "surfaces.hpp"
 #include <tightflip/kernel/build.hpp>
 #include <tightflip/kernel/families.hpp>
@@ -17,50 +18,10 @@
 namespace tightflip::kernel {
 namespace {
 
-std::vector<HalfedgeRecord> records_of(const Triangulation& surface) {
-    const auto table = surface.table();
-    return {table.begin(), table.end()};
-}
-
-/// The same surface under other numbers: edges in another order, halves exchanged at random.
-Triangulation renumbered(const Triangulation& surface, RandomStream& random) {
-    std::vector<Index> place(static_cast<std::size_t>(surface.edge_count()));
-    std::iota(place.begin(), place.end(), 0);
-    random.shuffle(std::span(place));
-    std::vector<Index> image;
-    for (const Index e : place) {
-        const auto half = static_cast<Index>(random.below(2));
-        image.push_back(2 * e + half);
-        image.push_back(2 * e + 1 - half);
-    }
-    const auto records = records_of(surface);
-    std::vector<HalfedgeRecord> moved(records.size());
-    for (std::size_t h = 0; h < records.size(); ++h) {
-        testing::nth(moved, image[h]) = {{testing::nth(image, records[h].next.id)},
-                                         records[h].origin};
-    }
-    return build(std::move(moved), surface.vertex_count()).value();
-}
-
-/// The same edges and labels with every face turned over.
-Triangulation mirrored(const Triangulation& surface) {
-    const auto records = records_of(surface);
-    std::vector<HalfedgeRecord> turned(records.size());
-    for (Index h = 0; h < surface.halfedge_count(); ++h) {
-        const Index n = testing::nth(records, h).next.id;
-        // h now runs from its old end to its old origin, and its old predecessor follows it.
-        testing::nth(turned, n).next = {h};
-        testing::nth(turned, h).origin = testing::nth(records, n).origin;
-    }
-    return build(std::move(turned), surface.vertex_count()).value();
-}
-
-Triangulation with_labels(const Triangulation& surface, const std::vector<Index>& label) {
-    auto records = records_of(surface);
-    for (HalfedgeRecord& r : records)
-        r.origin = {testing::nth(label, r.origin.id)};
-    return build(std::move(records), surface.vertex_count()).value();
-}
+using testing::mirrored;
+using testing::records_of;
+using testing::renumbered;
+using testing::with_labels;
 
 /// A second opinion on equality: the least of the words that walks over the surface spell, one walk
 /// from every halfedge; a walk numbers halfedges in the order in which it meets them.

@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "interrupt.hpp"
 #include "kinds.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -6,8 +7,6 @@
 #include <tightflip/kernel/file_io.hpp>
 #include <tightflip/properties/campaign.hpp>
 
-#include <atomic>
-#include <csignal>
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,8 +16,6 @@ namespace {
 
 using kernel::Triangulation;
 using properties::CampaignReport;
-
-std::atomic<bool> interrupted = false;  // lock-free, so a signal handler may set it
 
 struct Options {
     std::vector<std::string> files;
@@ -99,9 +96,9 @@ CampaignReport run_with_bar(const Options& options, const std::string& name,
     properties::CampaignOptions campaign{.flips = options.flips,
                                          .seed = options.request.seed,
                                          .audit_every = options.audit_every,
-                                         .interrupted = [] { return interrupted.load(); }};
+                                         .interrupted = was_interrupted};
     campaign.progress = [&](const properties::CampaignProgress& p) {
-        bar.show(p.attempted, p.total, p.seconds);
+        bar.show({.done = p.attempted, .total = p.total, .seconds = p.seconds});
     };
     if (options.seconds) campaign.time_limit = std::chrono::duration<double>(*options.seconds);
     return run_campaign(start, campaign);
@@ -146,9 +143,7 @@ Triangulation made(const Options& options) {
 }
 
 Exit run(const Output& output, const Options& options) {
-    for (const int signal : {SIGINT, SIGTERM}) {
-        static_cast<void>(std::signal(signal, [](int) { interrupted = true; }));
-    }
+    note_interrupts();
     std::size_t number = 0;
     if (!options.files.empty()) {
         return for_each_input(output, options.files, [&](const std::string& file) {

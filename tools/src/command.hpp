@@ -56,6 +56,11 @@ void add_check(CLI::App& app, const Output& output, Action& action);
 void add_campaign(CLI::App& app, const Output& output, Action& action);
 void add_flip(CLI::App& app, const Output& output, Action& action);
 void add_replay(CLI::App& app, const Output& output, Action& action);
+void add_explore(CLI::App& app, const Output& output, Action& action);
+void add_path(CLI::App& app, const Output& output, Action& action);
+void add_verify(CLI::App& app, const Output& output, Action& action);
+void add_canonical(CLI::App& app, const Output& output, Action& action);
+void add_isomorphic(CLI::App& app, const Output& output, Action& action);
 void add_info(CLI::App& app, const Output& output, Action& action);
 
 }  // namespace tightflip::tools

@@ -23,7 +23,8 @@ int run(int argc, char** argv) {
     app.add_flag("--json", output.as_json,
                  "One JSON object an input on standard output, messages on standard error");
     Action action;
-    for (const auto add : {add_make, add_check, add_campaign, add_flip, add_replay, add_info}) {
+    for (const auto add : {add_make, add_check, add_campaign, add_flip, add_replay, add_explore,
+                           add_path, add_verify, add_canonical, add_isomorphic, add_info}) {
         add(app, output, action);
     }
     try {

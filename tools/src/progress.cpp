@@ -14,16 +14,27 @@ ProgressBar::~ProgressBar() {
     if (is_terminal_ && shown_at_ >= 0) static_cast<void>(std::fputs("\r\033[K", stderr));
 }
 
-void ProgressBar::show(std::uint64_t done, std::uint64_t total, double seconds) {
+void ProgressBar::show(const State& state) {
     constexpr double redraw_seconds = 0.1;
     constexpr int width = 30;
+    const double seconds = state.seconds;
     if (!is_terminal_ || (shown_at_ >= 0 && seconds - shown_at_ < redraw_seconds)) return;
     shown_at_ = seconds;
-    const double part = total == 0 ? 1 : static_cast<double>(done) / static_cast<double>(total);
-    const int filled = static_cast<int>(part * width);
-    const double left = part > 0 ? seconds / part - seconds : 0;
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f}%  {:.1f} s left", title_, "", filled,
-               "", width - filled, 100 * part, left);
+    const auto now_done = static_cast<double>(state.done - state.done_before);
+    const double rate = seconds > 0 ? now_done / seconds : 0;
+    std::string text = fmt::format("\r\033[K{} ", title_);
+    if (state.total > 0) {
+        const double part = static_cast<double>(state.done) / static_cast<double>(state.total);
+        const int filled = static_cast<int>(part * width);
+        text +=
+            fmt::format("[{:#<{}}{:.<{}}] {:3.0f}%  ", "", filled, "", width - filled, 100 * part);
+        if (rate > 0) {
+            text += fmt::format("{:.1f} s left  ",
+                                static_cast<double>(state.total - state.done) / rate);
+        }
+    }
+    text += fmt::format("{} done, {:.3g} a second", state.done, rate);
+    static_cast<void>(std::fputs(text.c_str(), stderr));
     static_cast<void>(std::fflush(stderr));
 }
 

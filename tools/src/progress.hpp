@@ -14,8 +14,14 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// Redraws at most ten times a second.
-    void show(std::uint64_t done, std::uint64_t total, double seconds);
+    struct State {
+        std::uint64_t done = 0;
+        std::uint64_t total = 0;  ///< 0 where nobody knows
+        double seconds = 0;
+        std::uint64_t done_before = 0;  ///< of `done`, not done in these seconds
+    };
+    /// Redraws at most ten times a second: how much is done, how fast, how long it will take.
+    void show(const State& state);
 
 private:
     std::string title_;

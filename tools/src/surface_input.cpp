@@ -91,4 +91,13 @@ kernel::Triangulation SurfaceInput::triangulation() const {
     return build(std::get<Mesh>(content_).reading.gluing).value();
 }
 
+kernel::RawTable SurfaceInput::table() const {
+    if (const auto* surface = std::get_if<kernel::RawSurface>(&content_)) {
+        if (const auto* table = std::get_if<kernel::RawTable>(surface)) return *table;
+    }
+    const kernel::Triangulation built = triangulation();
+    return {.vertex_count = built.vertex_count(),
+            .records = {built.table().begin(), built.table().end()}};
+}
+
 }  // namespace tightflip::tools

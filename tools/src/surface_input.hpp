@@ -35,6 +35,9 @@ public:
     /// The surface. Throws kernel::FileError with the first violation, and for a mesh whose faces
     /// are not coherently oriented unless asked to turn them over.
     [[nodiscard]] kernel::Triangulation triangulation() const;
+    /// The surface as a halfedge table: one that a file gives as it stands, for others to judge;
+    /// else that of `triangulation`, which throws as that does.
+    [[nodiscard]] kernel::RawTable table() const;
 
 private:
     struct Mesh {

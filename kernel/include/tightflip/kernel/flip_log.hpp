@@ -2,9 +2,11 @@
 /// A start and the flips done from it: the way anything is reproduced, undone, animated or proved.
 #pragma once
 
+#include <tightflip/kernel/surface_text.hpp>
 #include <tightflip/kernel/triangulation.hpp>
 
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,23 @@ struct FlipLog {
     std::vector<Edge> flips;
 
     friend bool operator==(const FlipLog&, const FlipLog&) = default;
+};
+
+/// A log as a file gives it; nothing is known about its table but that its numbers are numbers.
+struct RawFlipLog {
+    RawTable start;
+    std::vector<Edge> flips;
+};
+
+/// A log in anybody's memory, for those who only read.
+struct FlipLogView {
+    TableView start;
+    std::span<const Edge> flips;
+
+    FlipLogView(const FlipLog& log) noexcept  // NOLINT(google-explicit-constructor)
+        : start(log.start), flips(log.flips) {}
+    FlipLogView(const RawFlipLog& log) noexcept  // NOLINT(google-explicit-constructor)
+        : start(log.start), flips(log.flips) {}
 };
 
 /// How far a log could be followed.
@@ -54,8 +73,8 @@ private:
 
 /// Text and compact binary, versioned, ending in a checksum of the content. Throws
 /// std::length_error for more than 2^31 - 1 flips.
-void write_text(std::ostream& out, const FlipLog& log);
-void write_binary(std::ostream& out, const FlipLog& log);
+void write_text(std::ostream& out, const FlipLogView& log);
+void write_binary(std::ostream& out, const FlipLogView& log);
 
 /// Whether bytes begin like a log in either form.
 [[nodiscard]] bool is_flip_log(std::string_view bytes) noexcept;
@@ -64,5 +83,11 @@ void write_binary(std::ostream& out, const FlipLog& log);
 /// foreign, of another version, names an edge its start does not have, or starts from a surface
 /// that does not pass the audit. Memory and time are linear in the bytes.
 [[nodiscard]] FlipLog parse_flip_log(std::string_view bytes, const std::string& source);
+
+/// Reads either form, but only byte by byte as this library writes it, so that no byte can be
+/// changed unnoticed; its start is not audited. Throws FileError as `parse_flip_log` does, and
+/// where the spelling alone differs: comments, blanks, line ends, capitals, leading zeros.
+[[nodiscard]] RawFlipLog parse_flip_log_as_written(std::string_view bytes,
+                                                   const std::string& source);
 
 }  // namespace tightflip::kernel

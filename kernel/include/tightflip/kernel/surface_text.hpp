@@ -25,6 +25,17 @@ struct RawTable {
     friend bool operator==(const RawTable&, const RawTable&) = default;
 };
 
+/// A halfedge table in anybody's memory, with the number of its vertices, for those who only read.
+struct TableView {
+    Index vertex_count = 0;
+    HalfedgeTable records;
+
+    TableView(const RawTable& table) noexcept  // NOLINT(google-explicit-constructor)
+        : vertex_count(table.vertex_count), records(table.records) {}
+    TableView(const Triangulation& surface) noexcept  // NOLINT(google-explicit-constructor)
+        : vertex_count(surface.vertex_count()), records(surface.table()) {}
+};
+
 using RawSurface = std::variant<RawTable, Gluing>;
 
 /// Whether a text begins like one of the two formats.

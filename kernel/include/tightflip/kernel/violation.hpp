@@ -11,8 +11,8 @@
 
 namespace tightflip::kernel {
 
-/// Hundreds name the rung of the ladder; 90x compare a surface with an earlier one, 91x judge a
-/// flip by its definition. Numbers are never reused; docs/formats.md lists them.
+/// Hundreds name the rung of the ladder; 90x compare a surface with an earlier one, 91x judge
+/// flips by their definition and laws. Numbers are never reused; docs/formats.md lists them.
 enum class ViolationCode : std::uint16_t {
     no_faces = 101,
     corner_out_of_range = 102,
@@ -57,6 +57,7 @@ enum class ViolationCode : std::uint16_t {
     reference_model_disagrees = 913,
     flip_law_broken = 914,
     log_not_reproduced = 915,
+    path_does_not_connect = 916,
 };
 
 /// What an index in a violation counts.

@@ -1,0 +1,133 @@
+#include <tightflip/kernel/label_words.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace tightflip::kernel {
+namespace {
+
+using Sequence = std::array<std::uint8_t, LabelWords::max_vertices>;
+
+/// The number itself, where tables for so many vertices can be made.
+Index checked(Index vertices) {
+    if (vertices <= LabelWords::max_vertices) return vertices;
+    throw std::invalid_argument("labellings of more than " +
+                                std::to_string(LabelWords::max_vertices) +
+                                " vertices are not kept");
+}
+
+std::size_t factorial_of(std::size_t n) {
+    return n < 2 ? 1 : n * factorial_of(n - 1);
+}
+
+}  // namespace
+
+BitPermutation::BitPermutation(std::span<const std::uint8_t> source) noexcept {
+    for (std::size_t part = 0; part < part_.size(); ++part) {
+        for (std::size_t value = 0; value < 256; ++value) {
+            const auto word = static_cast<LabelWord>(value << (8 * part));
+            for (std::size_t b = 0; b < source.size(); ++b) {
+                part_[part][value] |= (word >> source[b] & 1U) << b;
+            }
+        }
+    }
+}
+
+LabelWords::Arrangements::Arrangements(std::size_t n)
+    : size_(factorial_of(n)), moved_(size_ * size_) {
+    Sequence identity{};
+    std::iota(identity.begin(), identity.end(), std::uint8_t{0});
+    std::vector<Sequence> all;
+    Sequence sequence = identity;
+    do
+        all.push_back(sequence);
+    while (
+        std::next_permutation(sequence.begin(), sequence.begin() + static_cast<std::ptrdiff_t>(n)));
+    for (std::size_t p = 0; p < size_; ++p) {
+        for (std::size_t a = 0; a < size_; ++a) {
+            Sequence image{};
+            for (std::size_t i = 0; i < n; ++i)
+                image[all[p][i]] = all[a][i];
+            moved_[p * size_ + a] = static_cast<std::uint16_t>(number({image.data(), n}));
+        }
+    }
+}
+
+std::size_t LabelWords::Arrangements::number(
+    std::span<const std::uint8_t> sequence) const noexcept {
+    std::size_t number = 0;  // lexicographic, in factorial digits
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+        std::size_t smaller = 0;
+        for (std::size_t j = i + 1; j < sequence.size(); ++j) {
+            smaller += sequence[j] < sequence[i] ? 1 : 0;
+        }
+        number = number * (sequence.size() - i) + smaller;
+    }
+    return number;
+}
+
+LabelWords::LabelWords(Index vertices)
+    : vertices_(checked(vertices)),
+      low_(static_cast<std::size_t>(std::min<Index>(vertices, 4))),
+      low_arrangements_(low_),
+      high_arrangements_(static_cast<std::size_t>(vertices) - low_),
+      words_per_set_(high_arrangements_.size()),
+      full_(static_cast<LabelWord>((std::uint64_t{1} << low_arrangements_.size()) - 1)),
+      number_of_set_(std::size_t{1} << vertices) {
+    for (std::uint32_t mask = 0; mask < number_of_set_.size(); ++mask) {
+        if (static_cast<std::size_t>(std::popcount(mask)) != low_) continue;
+        number_of_set_[mask] = static_cast<std::uint16_t>(sets_.size());
+        sets_.push_back(mask);
+    }
+    for (std::size_t p = 0; p < low_arrangements_.size(); ++p) {
+        const auto moved = low_arrangements_.moved(p);
+        const std::vector<std::uint8_t> source(moved.begin(), moved.end());
+        pulls_.emplace_back(source);
+    }
+}
+
+LabelWords::Place LabelWords::place(std::span<const std::uint8_t> labels) const {
+    std::uint32_t mask = 0;
+    Sequence low{};
+    Sequence high{};
+    std::size_t lows = 0;
+    std::size_t highs = 0;
+    for (std::size_t v = 0; v < labels.size(); ++v) {
+        if (labels[v] < low_) {
+            mask |= 1U << v;
+            low[lows++] = labels[v];
+        } else {
+            high[highs++] = labels[v];
+        }
+    }
+    const std::size_t bit = low_arrangements_.number({low.data(), lows});
+    return {number_of_set_[mask] * words_per_set_ + high_arrangements_.number({high.data(), highs}),
+            LabelWord{1} << bit};
+}
+
+LabelWords::Move LabelWords::move(std::size_t set,
+                                  std::span<const std::uint8_t> to) const noexcept {
+    // The places of either kind, in ascending order, go to places whose order is the permutation.
+    std::uint32_t mask = 0;
+    Sequence low{};
+    Sequence high{};
+    std::size_t lows = 0;
+    std::size_t highs = 0;
+    for (std::size_t v = 0; v < to.size(); ++v) {
+        if ((sets_[set] >> v & 1U) != 0) {
+            mask |= 1U << to[v];
+            low[lows++] = to[v];
+        } else {
+            high[highs++] = to[v];
+        }
+    }
+    const std::size_t low_move = low_arrangements_.number({low.data(), lows});
+    return {number_of_set_[mask],
+            high_arrangements_.moved(high_arrangements_.number({high.data(), highs})),
+            &pulls_[low_move]};
+}
+
+}  // namespace tightflip::kernel
