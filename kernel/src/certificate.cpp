@@ -78,7 +78,8 @@ private:
 };
 
 std::optional<FaceSlots> FaceSlots::read(const TableView& table) {
-    const auto& [vertex_count, records] = table;
+    const HalfedgeTable records = table.records;
+    const Index vertex_count = table.vertex_count;
     const auto count = static_cast<Index>(records.size());
     const bool all_exist = std::ranges::all_of(records, [&](const HalfedgeRecord& record) {
         const auto& [next, origin] = record;
@@ -202,8 +203,8 @@ public:
         }
         sent_.clear();
         if (!send(x, y)) return false;
-        for (std::size_t k = 0; k < sent_.size(); ++k) {  // sent_ grows
-            const Index f = sent_[k];
+        for (std::size_t next = 0; next < sent_.size();) {
+            const Index f = sent_[next++];  // sending its neighbours makes the list grow
             const Index image = image_[at(f)];
             std::size_t j = slot_of(image);
             for (std::size_t i = 0; i < 3; ++i, j = after[j]) {

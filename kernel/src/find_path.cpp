@@ -21,8 +21,8 @@ class PackedCodes {
 public:
     explicit PackedCodes(const Triangulation& surface)
         : vertex_count_(surface.vertex_count()),
-          bits_(static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(
-              std::max(surface.halfedge_count(), surface.vertex_count()) - 1)))),
+          bits_(std::bit_ceil(static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(
+              std::max(surface.halfedge_count(), surface.vertex_count()) - 1))))),
           symbols_(code_length(static_cast<std::size_t>(surface.halfedge_count()), Labels::kept)),
           words_((symbols_.size() * bits_ + 63) / 64) {}
 
@@ -34,10 +34,7 @@ public:
         std::ranges::fill(words_, 0);
         std::size_t bit = 0;
         for (const Index symbol : symbols_) {
-            const auto value = static_cast<std::uint64_t>(symbol);
-            const std::size_t shift = bit % 64;
-            words_[bit / 64] |= value << shift;
-            if (shift + bits_ > 64) words_[bit / 64 + 1] |= value >> (64 - shift);
+            words_[bit / 64] |= static_cast<std::uint64_t>(symbol) << (bit % 64);
             bit += bits_;
         }
         return words_;
@@ -46,7 +43,7 @@ public:
 private:
     CanonicalSearch search_;
     Index vertex_count_;
-    unsigned bits_;
+    unsigned bits_;  // of a symbol; a power of two, so that none straddles two words
     std::vector<Index> symbols_;
     std::vector<std::uint64_t> words_;
 };

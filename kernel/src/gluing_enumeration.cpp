@@ -86,8 +86,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_sides = 3 * most_faces;
-    static constexpr std::size_t most_corners = most_faces + 2;
+    static constexpr std::size_t most_sides = 3 * std::size_t{most_faces};
+    static constexpr std::size_t most_corners = std::size_t{most_faces} + 2;
 
     static constexpr Corners bit(Corner corner) noexcept { return Corners{1} << corner; }
 
@@ -205,7 +205,8 @@ private:
             is_near[near] = true;
             near = surface.next(near);
         } while (near != side);
-        for (auto other = static_cast<Side>(side + 1); other < surface.sides(); ++other) {
+        for (int number = side + 1; number < surface.sides(); ++number) {
+            const auto other = static_cast<Side>(number);
             if (!surface.is_open(other) || is_near[other]) continue;
             if (!surface.keeps_ends_distinct(side, other)) continue;
             PartialSurface glued = surface;
@@ -229,8 +230,8 @@ private:
         const int remedies = faces_left(surface) + 2 * (genus_ - surface.handles());
         if (surface.odd_boundaries() > remedies) return true;
         if (surface.open_sides() == 0) return remedies > 0;
-        // What is open will be another vertex at least.
-        return surface.complete_vertices() >= vertices_;
+        // The last gluing of all completes two vertices.
+        return surface.complete_vertices() > vertices_ - 2;
     }
 
     [[nodiscard]] int faces_left(const PartialSurface& surface) const {

@@ -43,7 +43,7 @@ constexpr int infinity = std::numeric_limits<int>::max();
 
 /// Distances from a state, by Boost's breadth-first search.
 StateMap<int> distances_from(const FlipGraph& graph, const CanonicalCode& start) {
-    const StateMap<int> distance(infinity);
+    StateMap<int> distance(infinity);
     put(distance, start, 0);
     boost::queue<CanonicalCode> pending;
     boost::breadth_first_visit(
@@ -185,6 +185,30 @@ TEST(ImplicitFlipGraph, AStarFindsShortestPaths) {
     }
 }
 
+TEST(StateIndexMap, NumbersStatesAsTheyAreMet) {
+    const FlipGraph graph(unoriented);
+    const StateIndexMap index;
+    const StateIndexMap copy = index;
+    for (const Index vertices : {5, 3, 4})
+        get(index, graph.state(families::book(vertices)));
+    EXPECT_EQ(get(copy, graph.state(families::book(4))), 2U);
+    EXPECT_EQ(get(copy, graph.state(families::book(5))), 0U);
+    EXPECT_EQ(copy[graph.state(families::book(6))], 3U);
+    EXPECT_EQ(get(index, graph.state(families::book(6))), 3U);
+}
+
+TEST(StateMap, HoldsItsInitialValueUntilAnotherIsPut) {
+    const FlipGraph graph(unoriented);
+    const CanonicalCode three = graph.state(families::book(3));
+    const StateMap<int> map(7);
+    const StateMap<int> copy = map;
+    EXPECT_EQ(get(map, three), 7);
+    put(map, three, 8);
+    EXPECT_EQ(copy[three], 8);
+    EXPECT_EQ(get(copy, graph.state(families::book(4))), 7);
+    EXPECT_EQ(map.size(), 2U);
+}
+
 // ---- a table ----
 
 /// All that flips reach from the starts, as a table.
@@ -193,8 +217,8 @@ public:
     Explored(const FlipGraph& graph, const std::vector<Triangulation>& starts) {
         for (const Triangulation& start : starts)
             number(graph.state(start));
-        for (std::size_t i = 0; i < states.size(); ++i) {
-            for (const CanonicalCode& state : graph.neighbours(states[i])) {
+        while (table.size() < states.size()) {
+            for (const CanonicalCode& state : graph.neighbours(states[table.size()])) {
                 table.targets.push_back(number(state));
             }
             table.offsets.push_back(table.targets.size());

@@ -90,6 +90,17 @@ TEST(CanonicalSearch, DoesNotDependOnNumbersNorOnEarlierSearches) {
     }
 }
 
+/// Where several degrees are equally rare, labels must not decide among them.
+TEST(CanonicalSearch, DoesNotBreakTiesByLabels) {
+    RandomStream random(4);
+    CanonicalSearch search;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const Triangulation surface = families::random(7, 0, seed);
+        const Triangulation other = testing::relabelled(surface, random);
+        EXPECT_EQ(search_on(search, surface, {}), search_on(search, other, {})) << "seed " << seed;
+    }
+}
+
 TEST(CanonicalSearch, SymbolsMayBeNarrow) {
     for (const Triangulation& surface : samples()) {
         if (surface.halfedge_count() > 255) continue;

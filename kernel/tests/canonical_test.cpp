@@ -139,6 +139,7 @@ TEST_P(CanonicalOnSmallSurfaces, CodesAreEqualExactlyWhereSurfacesAre) {
     const std::vector<Triangulation> surfaces = with_copies(classes);
     for (const Equality equality : equalities) {
         std::vector<CanonicalCode> codes;
+        codes.reserve(surfaces.size());
         for (const Triangulation& surface : surfaces) {
             codes.push_back(canonical_code(surface, equality));
         }
@@ -215,8 +216,8 @@ TEST(Canonical, KnowsTheSymmetriesOfFamilies) {
         {"book of twelve", families::book(12), 20, 40},
         {"double wheel of nine", families::double_wheel(9), 14, 28},
         {"seven-vertex torus (chiral)", build(testing::seven_vertex_torus()).value(), 42, 42},
-        {"square torus", families::torus_grid(5, 5), 6 * 25, 12 * 25},
-        {"oblong torus", families::torus_grid(5, 8), 2 * 40, 2 * 40}};
+        {"square torus", families::torus_grid(5, 5), 150, 300},
+        {"oblong torus", families::torus_grid(5, 8), 80, 80}};
     for (const auto& [name, surface, rotations, all] : cases) {
         EXPECT_EQ(automorphism_count(surface, oriented), rotations) << name;
         EXPECT_EQ(automorphism_count(surface, unoriented), all) << name;
@@ -265,6 +266,7 @@ TEST(Canonical, LabelledCodesAgreeWithEqualityOfLabelledSurfaces) {
     EXPECT_GT(surfaces.size(), 160U);
     RandomStream random(5);
     std::vector<CanonicalCode> codes;
+    codes.reserve(surfaces.size());
     for (const Triangulation& surface : surfaces) {
         codes.push_back(canonical_code(testing::renumbered(surface, random), labelled));
     }

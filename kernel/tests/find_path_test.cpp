@@ -55,6 +55,7 @@ std::vector<Triangulation> classes_among(const std::vector<Reached>& component) 
     for (const Reached& reached : component)
         classes.try_emplace(canonical_code(reached.surface, unlabelled), reached.surface);
     std::vector<Triangulation> one_of_each;
+    one_of_each.reserve(classes.size());
     for (const auto& [code, surface] : classes)
         one_of_each.push_back(surface);
     return one_of_each;
@@ -225,7 +226,7 @@ TEST(FindPath, SaysWhenALimitWasReached) {
     ASSERT_GE(length, 6U);
     std::size_t states = 0;
     std::int64_t least = 0;
-    for (const std::size_t limit : {0, 10, 100, 1000}) {
+    for (const std::size_t limit : {0U, 10U, 100U, 1000U}) {
         const PathSearch search = find_path(from, to, {.shortest = true, .most_states = limit});
         ASSERT_EQ(search.outcome, PathOutcome::not_found) << limit;
         EXPECT_FALSE(search);

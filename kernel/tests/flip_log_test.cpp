@@ -620,5 +620,75 @@ TEST(FlipLogDamage, AFlipThatIsRefusedIsNoDamage) {
     EXPECT_FALSE(replay(parse(text_of(log))).is_complete());
 }
 
+// ---- logs that count byte by byte ----
+
+TEST(FlipLogAsWritten, TakesWhatWasWrittenInEitherForm) {
+    RecordedSurface surface(families::random(200, 1, 3));  // edges of one byte and of two
+    for (Index e = 0; e < surface.surface().edge_count(); ++e)
+        surface.flip({e});
+    for (const std::string& bytes : {text_of(surface.log()), binary_of(surface.log())}) {
+        const RawFlipLog log = parse_flip_log_as_written(bytes, "run.log");
+        EXPECT_EQ(log.flips, surface.log().flips);
+        EXPECT_EQ(log.start.vertex_count, 200);
+        EXPECT_TRUE(std::ranges::equal(log.start.records, surface.log().start.table()));
+    }
+}
+
+TEST(FlipLogAsWritten, RefusesAnotherSpellingInItsLine) {
+    const std::string text = text_of(small_log());
+    const auto with = [&](const std::string& old, const std::string& spelling) {
+        std::string changed = text;
+        const std::size_t at = text.find(old);
+        return at == std::string::npos ? "nothing to change"
+                                       : changed.replace(at, old.size(), spelling);
+    };
+    const auto capitals = [&] {
+        std::string changed = text;
+        const auto sum = changed.begin() + static_cast<std::ptrdiff_t>(changed.find("check ")) + 6;
+        std::transform(sum, changed.end(), sum, [](char c) {
+            return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        });
+        return changed;
+    };
+    const auto last_line = static_cast<std::uint64_t>(std::ranges::count(text, '\n'));
+    struct Case {
+        std::string text;
+        std::uint64_t line;
+    };
+    for (const auto& [changed, line] :
+         {Case{with("vertices 4", "vertices  4"), 2}, Case{with("vertices 4", "vertices 04"), 2},
+          Case{with("vertices 4\n", "vertices 4 # four\n"), 2},
+          Case{with("vertices 4\n", "vertices 4\r\n"), 2},
+          Case{with("vertices 4\n", "vertices 4\n\n"), 3}, Case{with("# next", "# Next"), 4},
+          Case{with("# next", " # next"), 4}, Case{capitals(), last_line},
+          Case{text.substr(0, text.size() - 1), last_line}, Case{text + " ", last_line + 1}}) {
+        EXPECT_EQ(parse(changed), small_log()) << "a reader may pass over it: " << changed;
+        expect_refused_in_line(refusal_of([&, &bytes = changed] {
+                                   return parse_flip_log_as_written(bytes, "run.log");
+                               }),
+                               line, "every byte counts");
+    }
+}
+
+TEST(FlipLogAsWritten, RefusesALongerSpellingOfANumberInTheBinaryForm) {
+    Content content = content_of(small_log());
+    content.flips = {5, 3};
+    std::string bytes = binary_by_hand(content);
+    const std::size_t first_flip = bytes.size() - 8 - 2;
+    bytes.replace(first_flip, 1, "\x85" + std::string(1, '\0'));
+    EXPECT_EQ(parse(bytes).flips, (std::vector<Edge>{{5}, {3}}));
+    const auto refusal = refusal_of([&] { return parse_flip_log_as_written(bytes, "run.log"); });
+    ASSERT_TRUE(refusal);
+    EXPECT_EQ(refusal->unit(), FileError::Unit::byte);
+    EXPECT_EQ(refusal->position(), first_flip);
+}
+
+TEST(FlipLogAsWritten, ItsStartIsNotJudged) {
+    Content content = content_of(small_log());
+    content.records[3].next = {99};
+    EXPECT_EQ(parse_flip_log_as_written(binary_by_hand(content), "run.log").start.records[3].next,
+              Halfedge{99});
+}
+
 }  // namespace
 }  // namespace tightflip::kernel

@@ -31,26 +31,26 @@ class Gluings : public ::testing::TestWithParam<Size> {};
 /// the pairs of cycles of length 2g + 1 whose product is such a cycle (the turns about the
 /// vertices). The tori and the numbers of classes were counted by an independent program.
 TEST_P(Gluings, AreAllVisitedOnce) {
-    const auto [vertices, genus, rooted, classes] = GetParam();
+    const Size& size = GetParam();
     std::set<std::vector<Index>> words;
     std::set<CanonicalCode> codes;
-    const auto visited = enumerate_gluings(vertices, genus, [&](HalfedgeTable table) {
-        const Triangulation surface = surface_in(table, vertices);
-        EXPECT_EQ(surface.genus(), genus);
+    const auto visited = enumerate_gluings(size.vertices, size.genus, [&](HalfedgeTable table) {
+        const Triangulation surface = surface_in(table, size.vertices);
+        EXPECT_EQ(surface.genus(), size.genus);
         words.insert(rooted_code(surface, {Halfedge{0}}, Labels::ignored));
         codes.insert(canonical_code(surface, {}));
         return true;
     });
-    EXPECT_EQ(visited, rooted);
-    EXPECT_EQ(words.size(), rooted) << "no rooted surface comes twice";
-    EXPECT_EQ(codes.size(), classes);
+    EXPECT_EQ(visited, size.rooted);
+    EXPECT_EQ(words.size(), size.rooted) << "no rooted surface comes twice";
+    EXPECT_EQ(codes.size(), size.classes);
     std::size_t roots = 0;
     for (const CanonicalCode& code : codes) {
         const Triangulation surface = surface_of(code);
         roots +=
             static_cast<std::size_t>(surface.halfedge_count()) / automorphism_count(surface, {});
     }
-    EXPECT_EQ(roots, rooted) << "every class comes with all its roots";
+    EXPECT_EQ(roots, size.rooted) << "every class comes with all its roots";
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Gluings,

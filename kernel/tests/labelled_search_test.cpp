@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <condition_variable>
-#include <map>
 #include <mutex>
+#include <set>
+#include <string>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -35,13 +36,13 @@ LabelledLevels search_from(const ClassGraph& classes, const Triangulation& start
 /// Labelled surfaces at each distance, by flipping them one by one.
 std::vector<std::uint64_t> levels_by_hand(const Triangulation& start) {
     CanonicalSearch search;
-    std::vector<std::uint8_t> code(
-        code_length(static_cast<std::size_t>(start.halfedge_count()), Labels::kept));
-    std::map<std::vector<std::uint8_t>, Triangulation> seen;
+    std::string code(code_length(static_cast<std::size_t>(start.halfedge_count()), Labels::kept),
+                     '\0');
+    std::set<std::string> seen;
     const auto is_new = [&](const Triangulation& surface) {
         search(surface.table(), surface.vertex_count(), {Labels::kept, Mirror::distinct},
-               std::span(code));
-        return seen.emplace(code, surface).second;
+               std::span<char>(code));
+        return seen.insert(code).second;
     };
     std::vector<Triangulation> level{start};
     is_new(start);

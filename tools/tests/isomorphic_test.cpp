@@ -98,7 +98,7 @@ TEST_F(Isomorphic, SaysWhyNot) {
         {"a.off", "both.off", {"--labelled"}, "labels_and_orientation", "but for labels"},
         {"a.off", "both.off", {}, "orientation", "mirror image"}};
     for (const auto& [a, b, options, difference, words] : cases) {
-        SCOPED_TRACE(a + " " + b + " " + ::testing::PrintToString(options));
+        SCOPED_TRACE(::testing::PrintToString(Arguments{a, b}) + ::testing::PrintToString(options));
         const Json json = compare(a, b, options, 1);
         EXPECT_EQ(json["isomorphic"], false);
         EXPECT_EQ(json["difference"], difference);

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] std::span<const Index> symbols() const noexcept { return symbols_; }
 
     friend bool operator==(const CanonicalCode&, const CanonicalCode&) = default;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the ordering's 0 for a pointer
     friend std::strong_ordering operator<=>(const CanonicalCode&, const CanonicalCode&) = default;
 
 private:

@@ -55,9 +55,9 @@ struct PathSearch {
 
 /// Looks for a path. Searches breadth-first from both ends, level by level, always where fewer
 /// surfaces wait: so a path found is shortest, and an end that cannot leave a small component is
-/// seen soon. Time: O(V^2) a surface. Memory: a canonical code of about 5 V numbers of
-/// log2(6 V) bits each and some 20 bytes a surface. Surfaces of equal V and genus at distance d
-/// take roughly as many as have distance d / 2.
+/// seen soon. Time: O(V^2) a surface. Memory: a canonical code of about 5 V numbers of one byte
+/// each (two from V = 45 on) and some 20 bytes a surface. A path of d flips takes about as many
+/// surfaces as lie within d / 2 flips of either end.
 [[nodiscard]] PathSearch find_path(const Triangulation& from, const Triangulation& to,
                                    const PathOptions& options = {});
 

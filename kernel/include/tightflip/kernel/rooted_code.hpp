@@ -1,11 +1,11 @@
 /// \file
 /// A surface as a word: what a walk over its faces meets, from one halfedge on.
 ///
-/// The walk numbers the sides of faces in the order of discovery: the face of the root gets 0, 1, 2,
-/// and the sides are then visited in the order of their numbers. A side whose neighbour is new says
-/// 0, and the three sides of the new face, from the one just crossed, get the next numbers; a side
-/// glued to one with a greater number says that number; one glued to a smaller number says nothing.
-/// That makes one symbol an edge, and the word determines the surface and its root up to
+/// The walk numbers the sides of faces in the order of discovery: the face of the root gets 0, 1,
+/// 2, and the sides are then visited in the order of their numbers. A side whose neighbour is new
+/// says 0, and the three sides of the new face, from the one just crossed, get the next numbers; a
+/// side glued to one with a greater number says that number; one glued to a smaller number says
+/// nothing. That makes one symbol an edge, and the word determines the surface and its root up to
 /// isomorphism. With labels, the labels of the three corners of the root's face come first and each
 /// 0 is followed by the label of the new face's far corner.
 ///

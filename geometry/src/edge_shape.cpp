@@ -1,0 +1,24 @@
+#include <tightflip/geometry/edge_shape.hpp>
+#include <tightflip/geometry/exact_predicates.hpp>
+
+namespace tightflip::geometry {
+
+EdgeShape edge_shape(const SurfaceView& surface, Edge e) {
+    const Halfedge h = halfedge_of(e);
+    const Point& a = surface.origin(h);
+    const Point& b = surface.target(h);
+    const Point& c = surface.opposite(h);
+    const Point& d = surface.opposite(twin(h));
+    switch (orientation(a, b, c, d)) {
+        case Sign::negative:
+            return EdgeShape::convex;
+        case Sign::positive:
+            return EdgeShape::concave;
+        case Sign::zero:
+            break;
+    }
+    if (are_collinear(a, b, c) || are_collinear(a, b, d)) return EdgeShape::degenerate;
+    return coplanar_side(a, b, c, d) == Sign::negative ? EdgeShape::flat : EdgeShape::folded;
+}
+
+}  // namespace tightflip::geometry
