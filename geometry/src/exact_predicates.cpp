@@ -36,8 +36,7 @@ Sign orientation_in_plane(const Point& a, const Point& b, const Point& c) {
 }
 
 Sign in_circle_in_plane(const Point& a, const Point& b, const Point& c, const Point& d) {
-    return sign(
-        CGAL::side_of_oriented_circle(in_plane(a), in_plane(b), in_plane(c), in_plane(d)));
+    return sign(CGAL::side_of_oriented_circle(in_plane(a), in_plane(b), in_plane(c), in_plane(d)));
 }
 
 }  // namespace tightflip::geometry

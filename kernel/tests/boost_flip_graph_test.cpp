@@ -187,8 +187,9 @@ TEST(ImplicitFlipGraph, AStarFindsShortestPaths) {
 
 TEST(StateIndexMap, NumbersStatesAsTheyAreMet) {
     const FlipGraph graph(unoriented);
-    const StateIndexMap index;
-    const StateIndexMap copy = index;
+    const std::vector<StateIndexMap> copies(2, StateIndexMap{});
+    const StateIndexMap& index = copies[0];
+    const StateIndexMap& copy = copies[1];
     for (const Index vertices : {5, 3, 4})
         get(index, graph.state(families::book(vertices)));
     EXPECT_EQ(get(copy, graph.state(families::book(4))), 2U);
@@ -200,8 +201,9 @@ TEST(StateIndexMap, NumbersStatesAsTheyAreMet) {
 TEST(StateMap, HoldsItsInitialValueUntilAnotherIsPut) {
     const FlipGraph graph(unoriented);
     const CanonicalCode three = graph.state(families::book(3));
-    const StateMap<int> map(7);
-    const StateMap<int> copy = map;
+    const std::vector<StateMap<int>> copies(2, StateMap<int>(7));
+    const StateMap<int>& map = copies[0];
+    const StateMap<int>& copy = copies[1];
     EXPECT_EQ(get(map, three), 7);
     put(map, three, 8);
     EXPECT_EQ(copy[three], 8);

@@ -114,12 +114,13 @@ Exit path(const Output& output, const Options& options) {
 
 void add_path(CLI::App& app, const Output& output, Action& action) {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand(
-        "path",
-        "Find flips from one labelled surface to another. Vertices keep their labels: vertex 5 "
-        "of FROM ends as vertex 5 of TO, whatever their coordinates. Spheres are connected by "
-        "construction; for other surfaces, and with --shortest, all that few flips lead to is "
-        "searched");
+    CLI::App* verb =
+        app.add_subcommand("path", "Find flips from one labelled surface to another (Theorem 4.3)");
+    verb->footer(
+        "Vertices keep their labels: vertex 5 of FROM ends as vertex 5 of TO, whatever their "
+        "coordinates.\nSpheres are connected by construction; for other surfaces, and with "
+        "--shortest, all that few\nflips lead to is searched.\n\n" +
+        app.get_footer());
     verb->add_option("FROM", options->from, "Surface or mesh to start from")->required();
     verb->add_option("TO", options->to, "Surface or mesh to end in")->required();
     verb->add_flag("--shorten", options->shorten,

@@ -15,8 +15,8 @@ TEST_F(Usage, HelpAndVersionAreNoErrors) {
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
     EXPECT_THAT(help.out, HasSubstr("Exit codes"));
-    for (const std::string verb :
-         {"make", "check", "campaign", "flip", "replay", "canonical", "isomorphic", "info"}) {
+    for (const std::string verb : {"make", "check", "campaign", "flip", "replay", "explore", "path",
+                                   "verify", "canonical", "isomorphic", "info"}) {
         EXPECT_THAT(help.out, HasSubstr("\n  " + verb + " "));
         const Outcome of_verb = run({verb, "--help"});
         EXPECT_EQ(of_verb.exit_code, 0) << verb;

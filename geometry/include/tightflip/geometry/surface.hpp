@@ -38,9 +38,7 @@ struct SurfaceView {
     [[nodiscard]] const Point& opposite(Halfedge h) const noexcept {
         return origin(at(table, at(table, h).next).next);
     }
-    [[nodiscard]] Index edge_count() const noexcept {
-        return static_cast<Index>(table.size() / 2);
-    }
+    [[nodiscard]] Index edge_count() const noexcept { return static_cast<Index>(table.size() / 2); }
 };
 
 /// A value: a triangulation and its points. Flips change the first and never the second.
