@@ -174,8 +174,7 @@ std::uint64_t LabelledSearch::expand(std::size_t own_place, FrontierExchange& ex
 /// Every flip has an inverse, so what arcs lead to a class from the frontier can be read off the
 /// arcs that leave it.
 void LabelledSearch::gather(std::size_t arc, std::span<const std::uint8_t> full,
-                            const FrontierExchange& exchange,
-                            std::span<LabelWord> found) const {
+                            const FrontierExchange& exchange, std::span<LabelWord> found) const {
     const std::uint32_t target = classes_.arcs.targets[arc];
     const auto relabelling = classes_.relabelling(arc);
     const std::size_t sets = words_.set_count();

@@ -239,6 +239,15 @@ TEST_F(LabelledSearchCheckpoint, DamageAndOtherParametersAreRefused) {
     EXPECT_EQ(read_file(file), damaged);
 }
 
+TEST_F(LabelledSearchCheckpoint, AnotherGraphOfTheSameSizeIsRefused) {
+    interrupt_after(3 * classes.size());
+    LabelledSearch search(classes);
+    LocalExchange exchange(classes.size(), search.label_words().size());
+    const auto source = static_cast<std::uint32_t>(classes.find(start));
+    ++classes.codes.back();
+    EXPECT_THROW(static_cast<void>(search.run(source, exchange, limits)), FileError);
+}
+
 TEST(LabelledSearchBytes, AreThoseOfTheArrays) {
     const LabelWords words(9);
     EXPECT_EQ(labelled_search_bytes(9, 10), 3 * 10 * words.size() * sizeof(LabelWord));

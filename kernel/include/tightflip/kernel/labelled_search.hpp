@@ -19,8 +19,8 @@ namespace tightflip::kernel {
 
 /// What one search found.
 struct LabelledLevels {
-    std::uint32_t source = 0;            ///< the class that was started from
-    std::vector<std::uint64_t> states;   ///< labelled surfaces at each distance
+    std::uint32_t source = 0;           ///< the class that was started from
+    std::vector<std::uint64_t> states;  ///< labelled surfaces at each distance
     /// By class its greatest distance, or `unreached`; of this process's own classes.
     std::vector<std::uint8_t> farthest;
 
