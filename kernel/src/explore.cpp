@@ -108,11 +108,12 @@ struct Enumerated {
 };
 
 bool has_parallel_edges(HalfedgeTable table, Index vertices) {
-    std::vector<bool> is_joined(static_cast<std::size_t>(vertices) *
-                                static_cast<std::size_t>(vertices));
+    const auto row = static_cast<std::size_t>(vertices);
+    std::vector<bool> is_joined(row * row);
     for (Index h = 0; h < static_cast<Index>(table.size()); ++h) {
-        const auto pair = static_cast<std::size_t>(at(table, Halfedge{h}).origin.id * vertices +
-                                                   at(table, twin(Halfedge{h})).origin.id);
+        const auto from = static_cast<std::size_t>(at(table, Halfedge{h}).origin.id);
+        const auto to = static_cast<std::size_t>(at(table, twin(Halfedge{h})).origin.id);
+        const std::size_t pair = row * from + to;
         if (is_joined[pair]) return true;
         is_joined[pair] = true;
     }

@@ -38,14 +38,13 @@ BitPermutation::BitPermutation(std::span<const std::uint8_t> source) noexcept {
 
 LabelWords::Arrangements::Arrangements(std::size_t n)
     : size_(factorial_of(n)), moved_(size_ * size_) {
-    Sequence identity{};
-    std::iota(identity.begin(), identity.end(), std::uint8_t{0});
+    Sequence sequence{};
+    const auto end = sequence.begin() + static_cast<std::ptrdiff_t>(n);
+    std::iota(sequence.begin(), end, std::uint8_t{0});
     std::vector<Sequence> all;
-    Sequence sequence = identity;
-    do
+    do {
         all.push_back(sequence);
-    while (
-        std::next_permutation(sequence.begin(), sequence.begin() + static_cast<std::ptrdiff_t>(n)));
+    } while (std::next_permutation(sequence.begin(), end));
     for (std::size_t p = 0; p < size_; ++p) {
         for (std::size_t a = 0; a < size_; ++a) {
             Sequence image{};
