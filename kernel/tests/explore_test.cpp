@@ -133,6 +133,16 @@ TEST(Explore, EveryEccentricityWhereAskedFor) {
     EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::size_t{0}), 66U);
 }
 
+TEST(Explore, CompletenessIsAMatterOfRootedSurfaces) {
+    Exploration result;
+    result.rooted = 3;
+    EXPECT_EQ(result.is_complete(), std::nullopt);
+    result.expected.rooted = 4;
+    EXPECT_EQ(result.is_complete(), false);
+    result.rooted = 4;
+    EXPECT_EQ(result.is_complete(), true);
+}
+
 TEST(Explore, RefusesSizesThatNoModeHolds) {
     EXPECT_THROW(static_cast<void>(explored(States::classes, 2)), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(explored(States::classes, 4, -1)), std::invalid_argument);
