@@ -11,6 +11,26 @@ namespace {
 
 using Sequence = std::array<std::uint8_t, LabelWords::max_vertices>;
 
+/// Two sequences, of what belongs to low labels and of the rest.
+class Parted {
+public:
+    void add(std::uint8_t item, bool is_low) noexcept {
+        (is_low ? low_[lows_++] : high_[highs_++]) = item;
+    }
+    [[nodiscard]] std::span<const std::uint8_t> low() const noexcept {
+        return {low_.data(), lows_};
+    }
+    [[nodiscard]] std::span<const std::uint8_t> high() const noexcept {
+        return {high_.data(), highs_};
+    }
+
+private:
+    Sequence low_{};
+    Sequence high_{};
+    std::size_t lows_ = 0;
+    std::size_t highs_ = 0;
+};
+
 /// The number itself, where tables for so many vertices can be made.
 Index checked(Index vertices) {
     if (vertices <= LabelWords::max_vertices) return vertices;
@@ -89,44 +109,30 @@ LabelWords::LabelWords(Index vertices)
 }
 
 LabelWords::Place LabelWords::place(std::span<const std::uint8_t> labels) const {
+    Parted parted;
     std::uint32_t mask = 0;
-    Sequence low{};
-    Sequence high{};
-    std::size_t lows = 0;
-    std::size_t highs = 0;
     for (std::size_t v = 0; v < labels.size(); ++v) {
-        if (labels[v] < low_) {
-            mask |= 1U << v;
-            low[lows++] = labels[v];
-        } else {
-            high[highs++] = labels[v];
-        }
+        const bool is_low = labels[v] < low_;
+        parted.add(labels[v], is_low);
+        if (is_low) mask |= 1U << v;
     }
-    const std::size_t bit = low_arrangements_.number({low.data(), lows});
-    return {number_of_set_[mask] * words_per_set_ + high_arrangements_.number({high.data(), highs}),
-            LabelWord{1} << bit};
+    return {number_of_set_[mask] * words_per_set_ + high_arrangements_.number(parted.high()),
+            LabelWord{1} << low_arrangements_.number(parted.low())};
 }
 
 LabelWords::Move LabelWords::move(std::size_t set,
                                   std::span<const std::uint8_t> to) const noexcept {
     // The places of either kind, in ascending order, go to places whose order is the permutation.
+    Parted parted;
     std::uint32_t mask = 0;
-    Sequence low{};
-    Sequence high{};
-    std::size_t lows = 0;
-    std::size_t highs = 0;
     for (std::size_t v = 0; v < to.size(); ++v) {
-        if ((sets_[set] >> v & 1U) != 0) {
-            mask |= 1U << to[v];
-            low[lows++] = to[v];
-        } else {
-            high[highs++] = to[v];
-        }
+        const bool is_low = (sets_[set] >> v & 1U) != 0;
+        parted.add(to[v], is_low);
+        if (is_low) mask |= 1U << to[v];
     }
-    const std::size_t low_move = low_arrangements_.number({low.data(), lows});
     return {number_of_set_[mask],
-            high_arrangements_.moved(high_arrangements_.number({high.data(), highs})),
-            &pulls_[low_move]};
+            high_arrangements_.moved(high_arrangements_.number(parted.high())),
+            &pulls_[low_arrangements_.number(parted.low())]};
 }
 
 }  // namespace tightflip::kernel
