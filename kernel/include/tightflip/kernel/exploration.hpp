@@ -27,7 +27,7 @@ struct ExplorationLimits {
     std::filesystem::path checkpoint_directory;
     double checkpoint_seconds = 5;  ///< at least so long between two checkpoints
     std::function<void(const ExplorationProgress&)> progress;
-    std::function<bool()> interrupted;
+    std::function<bool()> interrupted;  ///< asked often, on several threads at once
 };
 
 /// A run that came to no end, for a reason in plain words. What a checkpoint holds stays there.
