@@ -1,0 +1,36 @@
+/// \file
+/// Differences of points and angles that hold for all finite coordinates.
+#pragma once
+
+#include <tightflip/geometry/surface.hpp>
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace tightflip::geometry {
+
+/// A positive multiple of `to - from` whose products of four do not overflow, nor vanish; zero
+/// where the points coincide.
+[[nodiscard]] inline Point direction(const Point& from, const Point& to) {
+    constexpr double largest = 0x1p200;
+    constexpr double smallest = 0x1p-200;
+    Point difference = to - from;
+    double size = difference.cwiseAbs().maxCoeff();
+    if (size == 0 || (size > smallest && size < largest)) return difference;
+    if (!std::isfinite(size)) {  // halves of so large numbers are exact
+        difference = to * 0.5 - from * 0.5;
+        size = difference.cwiseAbs().maxCoeff();
+    }
+    const int exponent = std::ilogb(size);
+    for (double& coordinate : difference)
+        coordinate = std::ldexp(coordinate, -exponent);
+    return difference;
+}
+
+/// The angle between two directions in 0 .. pi; 0 where one of them vanishes.
+[[nodiscard]] inline double angle_between(const Point& u, const Point& v) {
+    return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+}  // namespace tightflip::geometry

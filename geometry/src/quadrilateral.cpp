@@ -1,0 +1,100 @@
+#include <tightflip/geometry/edge_shape.hpp>
+#include <tightflip/geometry/exact_predicates.hpp>
+#include <tightflip/geometry/quadrilateral.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace tightflip::geometry {
+namespace {
+
+using Exact = boost::multiprecision::cpp_rational;
+using ExactVector = Eigen::Matrix<Exact, 3, 1>;
+
+ExactVector exact_difference(const Point& from, const Point& to) {
+    return {Exact(to.x()) - Exact(from.x()), Exact(to.y()) - Exact(from.y()),
+            Exact(to.z()) - Exact(from.z())};
+}
+
+Exact dot(const ExactVector& u, const ExactVector& v) {
+    return u.x() * v.x() + u.y() * v.y() + u.z() * v.z();
+}
+
+/// x |x|, which is ordered as x is.
+Exact signed_square(const Exact& x) {
+    return x * abs(x);
+}
+
+Sign exact_sign_of_cosines(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const ExactVector u = exact_difference(a, b);
+    const ExactVector p = exact_difference(a, c);
+    const ExactVector q = exact_difference(a, d);
+    const Exact sum = signed_square(dot(u, p)) * dot(q, q) + signed_square(dot(u, q)) * dot(p, p);
+    return static_cast<Sign>(sum.sign());
+}
+
+bool is_moderate(const Point& vector) {
+    const double largest = vector.cwiseAbs().maxCoeff();
+    return largest > 1e-60 && largest < 1e60;
+}
+
+/// The sign of cos bac + cos bad, which is that of (u.p) |q| + (u.q) |p| for the vectors u, p, q
+/// from a to b, c, d: positive where the two angles add up to less than pi.
+Sign sign_of_cosines(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const Point u = b - a;
+    const Point p = c - a;
+    const Point q = d - a;
+    if (is_moderate(u) && is_moderate(p) && is_moderate(q)) {
+        const double value = u.dot(p) * q.norm() + u.dot(q) * p.norm();
+        const double size =
+            u.cwiseAbs().dot(p.cwiseAbs()) * q.norm() + u.cwiseAbs().dot(q.cwiseAbs()) * p.norm();
+        // The relative errors of the differences (1), products (1), sums (2), lengths (3.5) and the
+        // last operations (2) add up to less than eleven roundings of `size`; what underflows in
+        // moderate vectors stays below the constant.
+        const double bound = 16 * std::numeric_limits<double>::epsilon() * size + 1e-200;
+        if (value > bound) return Sign::positive;
+        if (value < -bound) return Sign::negative;
+    }
+    return exact_sign_of_cosines(a, b, c, d);
+}
+
+}  // namespace
+
+Development development(const SurfaceView& surface, Edge e) {
+    const Halfedge h = halfedge_of(e);
+    const Point& a = surface.origin(h);
+    const Point& b = surface.target(h);
+    const Point& c = surface.opposite(h);
+    const Point& d = surface.opposite(twin(h));
+    if (are_collinear(a, b, c) || are_collinear(a, b, d)) return Development::degenerate;
+    switch (std::min(sign_of_cosines(a, b, c, d), sign_of_cosines(b, a, c, d))) {
+        case Sign::negative:
+            return Development::reflex;
+        case Sign::zero:
+            return Development::straight;
+        case Sign::positive:
+            break;
+    }
+    return Development::convex;
+}
+
+QuadrilateralType quadrilateral_type(const SurfaceView& surface, Edge e) {
+    const EdgeShape edge = edge_shape(surface, e);
+    if (edge != EdgeShape::convex && edge != EdgeShape::concave) return QuadrilateralType::none;
+    const bool is_convex = edge == EdgeShape::convex;
+    switch (development(surface, e)) {
+        case Development::convex:
+            return is_convex ? QuadrilateralType::cc : QuadrilateralType::cr;
+        case Development::reflex:
+            return is_convex ? QuadrilateralType::rc : QuadrilateralType::rr;
+        case Development::straight:
+        case Development::degenerate:
+            break;
+    }
+    return QuadrilateralType::none;
+}
+
+}  // namespace tightflip::geometry

@@ -1,0 +1,99 @@
+#include <tightflip/geometry/surface_measures.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace tightflip::geometry {
+namespace {
+
+/// Coordinates from the first point on, in units of a power of two in which the extent of the
+/// surface is about one, so that no sum on the way overflows or vanishes.
+class Frame {
+public:
+    explicit Frame(Points points) : base_(points.front()) {
+        double extent = 0;
+        for (const Point& point : points) {
+            extent = std::max(extent, (point * 0.5 - base_ * 0.5).cwiseAbs().maxCoeff());
+        }
+        if (extent > 0) exponent_ = std::clamp(std::ilogb(extent) + 2, -1000, 1000);
+        unit_ = std::ldexp(1.0, -exponent_);
+    }
+    [[nodiscard]] Point local(const Point& point) const { return point * unit_ - base_ * unit_; }
+    /// A measure of the given dimension in the units of the coordinates.
+    [[nodiscard]] double global(double value, int dimension) const {
+        return std::ldexp(value, dimension * exponent_);
+    }
+
+private:
+    Point base_;
+    int exponent_ = 0;
+    double unit_ = 1;
+};
+
+void measure_vertices(const SurfaceView& surface, SurfaceMeasures& sums) {
+    std::vector<Halfedge> outgoing(surface.points.size());
+    for (Index h = 0; h < static_cast<Index>(surface.table.size()); ++h) {
+        const Vertex v = at(surface.table, Halfedge{h}).origin;
+        outgoing[static_cast<std::size_t>(v.id)] = Halfedge{h};
+    }
+    StarMeter meter;
+    for (const Halfedge h : outgoing) {
+        const VertexCurvature curvature = meter.measure(surface, h);
+        sums.total_curvature += curvature.deficit();
+        sums.total_positive_curvature += curvature.positive;
+        sums.total_absolute_curvature += curvature.absolute();
+        ++sums.vertex_types.at(static_cast<std::size_t>(curvature.type));
+    }
+}
+
+void measure_edges(const SurfaceView& surface, const Frame& frame, SurfaceMeasures& sums) {
+    for (Index id = 0; id < surface.edge_count(); ++id) {
+        const Edge e{id};
+        const Halfedge h = halfedge_of(e);
+        const EdgeShape shape = edge_shape(surface, e);
+        const double mean = exterior_angle(surface, e, shape) / 2;
+        const double span =
+            (frame.local(surface.target(h)) - frame.local(surface.origin(h))).stableNorm();
+        sums.mean_absolute_curvature += std::abs(mean);
+        sums.mean_absolute_curvature_weighted += std::abs(mean) * span;
+        if (shape != EdgeShape::folded) sums.integral_mean_curvature += mean * span;
+        ++sums.edge_shapes.at(static_cast<std::size_t>(shape));
+    }
+}
+
+void measure_faces(const SurfaceView& surface, const Frame& frame, SurfaceMeasures& sums) {
+    for (Index id = 0; id < static_cast<Index>(surface.table.size()); ++id) {
+        const Halfedge h{id};
+        const Halfedge h1 = at(surface.table, h).next;
+        const Halfedge h2 = at(surface.table, h1).next;
+        if (h1 < h || h2 < h) continue;  // each face once, at its smallest halfedge
+        const Point a = frame.local(surface.origin(h));
+        const Point b = frame.local(surface.origin(h1));
+        const Point c = frame.local(surface.origin(h2));
+        sums.area += (b - a).cross(c - a).norm() / 2;
+        sums.volume += a.dot(b.cross(c)) / 6;
+    }
+}
+
+}  // namespace
+
+SurfaceMeasures measure(const SurfaceView& surface) {
+    SurfaceMeasures sums;
+    if (surface.points.empty()) return sums;
+    sums.euler_characteristic = static_cast<Index>(surface.points.size()) - surface.edge_count() +
+                                static_cast<Index>(surface.table.size() / 3);
+    const Frame frame(surface.points);
+    measure_vertices(surface, sums);
+    measure_edges(surface, frame, sums);
+    measure_faces(surface, frame, sums);
+    sums.mean_absolute_curvature_weighted = frame.global(sums.mean_absolute_curvature_weighted, 1);
+    sums.integral_mean_curvature = frame.global(sums.integral_mean_curvature, 1);
+    sums.area = frame.global(sums.area, 2);
+    sums.volume = frame.global(sums.volume, 3);
+    return sums;
+}
+
+}  // namespace tightflip::geometry
