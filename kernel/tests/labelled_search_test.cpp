@@ -79,6 +79,14 @@ TEST(LabelledSearch, ReachesAllLabelledSpheres) {
     }
 }
 
+TEST(LabelledSearch, TheBookIsAsFarOutAsTheTheoryPageSays) {
+    Index vertices = 4;
+    for (const std::size_t eccentricity : {2U, 6U, 10U, 15U, 19U}) {
+        const Triangulation start = families::book(vertices++);
+        EXPECT_EQ(search_from(classes_of(start), start).eccentricity(), eccentricity);
+    }
+}
+
 TEST(LabelledSearch, SymmetriesTakeAwayLabellings) {
     const ClassGraph classes = classes_of(families::book(4));
     const LabelledSearch search(classes);
