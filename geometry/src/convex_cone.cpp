@@ -1,6 +1,7 @@
 #include <tightflip/geometry/convex_cone.hpp>
 #include <tightflip/geometry/exact_predicates.hpp>
 
+#include <array>
 #include <utility>
 
 namespace tightflip::geometry {
@@ -122,6 +123,20 @@ struct ConvexCone::Insertion {
         return beyond(low, x) == Sign::positive ? low : n;
     }
 
+    /// Of the rays before one that was refused, three or fewer that contain a line together with
+    /// it: its opposite lies in the cone of these.
+    [[nodiscard]] std::array<std::size_t, 3> line_with(const Point& x) const {
+        const std::size_t n = rays.size();
+        for (std::size_t i = 1; i + 2 < n; ++i) {
+            const bool contains_opposite =
+                orientation(apex, corner(0), corner(i), x) != Sign::negative &&
+                orientation(apex, corner(i), corner(i + 1), x) != Sign::negative &&
+                orientation(apex, corner(i + 1), corner(0), x) != Sign::negative;
+            if (contains_opposite) return {0, i, i + 1};
+        }
+        return {0, n - 2, n - 1};  // the last of the fan, as the others were not
+    }
+
     /// Puts a ray in place of `count` consecutive corners from `first` on (cyclically), or between
     /// the corners before and at `first` where there are none to replace.
     void replace(std::size_t first, std::size_t count, Index ray) const {
@@ -147,9 +162,20 @@ void ConvexCone::span(const Point& apex, Points targets) {
     rays_.clear();
     rays_.reserve(targets.size());
     pointed_ = true;
+    line_size_ = 0;
     const Insertion insertion{apex, targets, rays_};
     for (std::size_t i = 0; i < targets.size() && pointed_; ++i) {
-        if (targets[i] != apex) pointed_ = insertion.insert(static_cast<Index>(i));
+        if (targets[i] == apex) continue;
+        pointed_ = insertion.insert(static_cast<Index>(i));
+        if (pointed_) continue;
+        line_[line_size_++] = static_cast<Index>(i);
+        if (rays_.size() <= 3) {
+            for (const Index ray : rays_)
+                line_[line_size_++] = ray;
+        } else {
+            for (const std::size_t ray : insertion.line_with(targets[i]))
+                line_[line_size_++] = rays_[ray];
+        }
     }
 }
 

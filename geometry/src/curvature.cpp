@@ -11,15 +11,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of a face with corners at the apex and in two directions: its angle at the apex.
-double corner_angle(const Point& u, const Point& v) {
-    const bool u_vanishes = u.isZero(0);
-    const bool v_vanishes = v.isZero(0);
-    if (u_vanishes && v_vanishes) return pi / 3;
-    if (u_vanishes || v_vanishes) return pi / 2;
-    return angle_between(u, v);
-}
-
 /// Whether the shortest way on the sphere of directions from `before` to `after` goes through `x`.
 bool lies_between(const Point& apex, const Point& before, const Point& x, const Point& after) {
     // What needs no arithmetic first: equal points are usual among parallel edges.
@@ -93,7 +84,7 @@ double StarMeter::total_angle() const {
     double sum = 0;
     const Point* before = &directions_.back();
     for (const Point& current : directions_) {
-        sum += corner_angle(*before, current);
+        sum += face_angle(*before, current);
         before = &current;
     }
     return sum;
@@ -171,13 +162,11 @@ bool StarMeter::path_follows_cone() const {
     return runs_along(1) || runs_along(n - 1);
 }
 
-double exterior_angle(const SurfaceView& surface, Edge e, EdgeShape shape) {
+double exterior_angle(const Hinge& hinge, EdgeShape shape) {
     if (shape != EdgeShape::convex && shape != EdgeShape::concave) return signed_angle(shape, 0);
-    const Halfedge h = halfedge_of(e);
-    const Point& a = surface.origin(h);
-    const Point u = direction(a, surface.target(h));
-    const Point p = direction(a, surface.opposite(h));
-    const Point q = direction(a, surface.opposite(twin(h)));
+    const Point u = direction(hinge.a, hinge.b);
+    const Point p = direction(hinge.a, hinge.c);
+    const Point q = direction(hinge.a, hinge.d);
     const Point first = u.cross(p);
     const Point second = q.cross(u);
     // The cross product of the two normals is u times the determinant of u, p and q.

@@ -5,6 +5,7 @@
 #include <tightflip/geometry/surface.hpp>
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -31,6 +32,16 @@ namespace tightflip::geometry {
 /// The angle between two directions in 0 .. pi; 0 where one of them vanishes.
 [[nodiscard]] inline double angle_between(const Point& u, const Point& v) {
     return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+/// Of a face with one corner at the apex and the others in two directions: its angle there, with
+/// the conventions of StarMeter for directions that vanish.
+[[nodiscard]] inline double face_angle(const Point& u, const Point& v) {
+    const bool u_vanishes = u.isZero(0);
+    const bool v_vanishes = v.isZero(0);
+    if (u_vanishes && v_vanishes) return std::numbers::pi / 3;
+    if (u_vanishes || v_vanishes) return std::numbers::pi / 2;
+    return angle_between(u, v);
 }
 
 }  // namespace tightflip::geometry

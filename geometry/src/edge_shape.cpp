@@ -3,12 +3,8 @@
 
 namespace tightflip::geometry {
 
-EdgeShape edge_shape(const SurfaceView& surface, Edge e) {
-    const Halfedge h = halfedge_of(e);
-    const Point& a = surface.origin(h);
-    const Point& b = surface.target(h);
-    const Point& c = surface.opposite(h);
-    const Point& d = surface.opposite(twin(h));
+EdgeShape edge_shape(const Hinge& hinge) {
+    const auto& [a, b, c, d] = hinge;
     switch (orientation(a, b, c, d)) {
         case Sign::negative:
             return EdgeShape::convex;

@@ -63,12 +63,8 @@ Sign sign_of_cosines(const Point& a, const Point& b, const Point& c, const Point
 
 }  // namespace
 
-Development development(const SurfaceView& surface, Edge e) {
-    const Halfedge h = halfedge_of(e);
-    const Point& a = surface.origin(h);
-    const Point& b = surface.target(h);
-    const Point& c = surface.opposite(h);
-    const Point& d = surface.opposite(twin(h));
+Development development(const Hinge& hinge) {
+    const auto& [a, b, c, d] = hinge;
     if (are_collinear(a, b, c) || are_collinear(a, b, d)) return Development::degenerate;
     switch (std::min(sign_of_cosines(a, b, c, d), sign_of_cosines(b, a, c, d))) {
         case Sign::negative:
@@ -81,11 +77,11 @@ Development development(const SurfaceView& surface, Edge e) {
     return Development::convex;
 }
 
-QuadrilateralType quadrilateral_type(const SurfaceView& surface, Edge e) {
-    const EdgeShape edge = edge_shape(surface, e);
+QuadrilateralType quadrilateral_type(const Hinge& hinge) {
+    const EdgeShape edge = edge_shape(hinge);
     if (edge != EdgeShape::convex && edge != EdgeShape::concave) return QuadrilateralType::none;
     const bool is_convex = edge == EdgeShape::convex;
-    switch (development(surface, e)) {
+    switch (development(hinge)) {
         case Development::convex:
             return is_convex ? QuadrilateralType::cc : QuadrilateralType::cr;
         case Development::reflex:

@@ -52,11 +52,10 @@ void measure_vertices(const SurfaceView& surface, SurfaceMeasures& sums) {
 void measure_edges(const SurfaceView& surface, const Frame& frame, SurfaceMeasures& sums) {
     for (Index id = 0; id < surface.edge_count(); ++id) {
         const Edge e{id};
-        const Halfedge h = halfedge_of(e);
-        const EdgeShape shape = edge_shape(surface, e);
-        const double mean = exterior_angle(surface, e, shape) / 2;
-        const double span =
-            (frame.local(surface.target(h)) - frame.local(surface.origin(h))).stableNorm();
+        const Hinge hinge = Hinge::at(surface, e);
+        const EdgeShape shape = edge_shape(hinge);
+        const double mean = exterior_angle(hinge, shape) / 2;
+        const double span = (frame.local(hinge.b) - frame.local(hinge.a)).stableNorm();
         sums.mean_absolute_curvature += std::abs(mean);
         sums.mean_absolute_curvature_weighted += std::abs(mean) * span;
         if (shape != EdgeShape::folded) sums.integral_mean_curvature += mean * span;

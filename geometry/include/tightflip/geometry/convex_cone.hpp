@@ -4,6 +4,8 @@
 
 #include <tightflip/geometry/surface.hpp>
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -32,10 +34,18 @@ public:
     /// in which a face fan about a convex vertex has them, counter-clockwise seen from outside.
     [[nodiscard]] std::span<const Index> extreme_rays() const noexcept { return rays_; }
 
+    /// Of a cone that is not pointed, at most four of its rays that contain a line together, as
+    /// indices of `targets`: while these stay, so does the line.
+    [[nodiscard]] std::span<const Index> line() const noexcept {
+        return {line_.data(), line_size_};
+    }
+
 private:
     struct Insertion;
 
     std::vector<Index> rays_;
+    std::array<Index, 4> line_{};
+    std::size_t line_size_ = 0;
     bool pointed_ = true;
 };
 

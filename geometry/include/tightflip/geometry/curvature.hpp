@@ -68,13 +68,16 @@ private:
 };
 
 /// As below, for an edge whose shape is known to be `shape`.
-[[nodiscard]] double exterior_angle(const SurfaceView& surface, Edge e, EdgeShape shape);
+[[nodiscard]] double exterior_angle(const Hinge& hinge, EdgeShape shape);
 
 /// The angle between the normals of the two faces at an edge: positive at a convex edge, negative
 /// at a concave one, 0 at a flat one, pi at a folded one (which has no sign); 0 at a degenerate one
 /// (which has no normals). The sign and the last three are exact.
+[[nodiscard]] inline double exterior_angle(const Hinge& hinge) {
+    return exterior_angle(hinge, edge_shape(hinge));
+}
 [[nodiscard]] inline double exterior_angle(const SurfaceView& surface, Edge e) {
-    return exterior_angle(surface, e, edge_shape(surface, e));
+    return exterior_angle(Hinge::at(surface, e));
 }
 
 /// H(e), half the exterior angle.

@@ -2,7 +2,7 @@
 /// What the surface does at an edge, decided exactly.
 #pragma once
 
-#include <tightflip/geometry/surface.hpp>
+#include <tightflip/geometry/hinge.hpp>
 
 #include <cstdint>
 
@@ -19,6 +19,9 @@ enum class EdgeShape : std::uint8_t {
 
 /// Exact for all finite coordinates; constant time. Folded edges are neither convex nor concave nor
 /// flat: their exterior angle is pi with no sign.
-[[nodiscard]] EdgeShape edge_shape(const SurfaceView& surface, Edge e);
+[[nodiscard]] EdgeShape edge_shape(const Hinge& hinge);
+[[nodiscard]] inline EdgeShape edge_shape(const SurfaceView& surface, Edge e) {
+    return edge_shape(Hinge::at(surface, e));
+}
 
 }  // namespace tightflip::geometry

@@ -6,7 +6,7 @@
 /// side by side.
 #pragma once
 
-#include <tightflip/geometry/surface.hpp>
+#include <tightflip/geometry/hinge.hpp>
 
 #include <cstdint>
 
@@ -23,7 +23,7 @@ enum class Development : std::uint8_t {
 
 /// Exact for all finite coordinates; constant time, without allocation except where floating point
 /// cannot decide (nearly straight developments, or lengths out of 1e-60 .. 1e60).
-[[nodiscard]] Development development(const SurfaceView& surface, Edge e);
+[[nodiscard]] Development development(const Hinge& hinge);
 
 /// The paper's types: the first letter tells the development, the second the edge, convex or reflex
 /// (the paper's other word for concave).
@@ -36,6 +36,13 @@ enum class QuadrilateralType : std::uint8_t {
 };
 
 /// Exact for all finite coordinates; cost as above.
-[[nodiscard]] QuadrilateralType quadrilateral_type(const SurfaceView& surface, Edge e);
+[[nodiscard]] QuadrilateralType quadrilateral_type(const Hinge& hinge);
+
+[[nodiscard]] inline Development development(const SurfaceView& surface, Edge e) {
+    return development(Hinge::at(surface, e));
+}
+[[nodiscard]] inline QuadrilateralType quadrilateral_type(const SurfaceView& surface, Edge e) {
+    return quadrilateral_type(Hinge::at(surface, e));
+}
 
 }  // namespace tightflip::geometry
