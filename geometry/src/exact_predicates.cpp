@@ -58,6 +58,7 @@ Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d)
 }
 
 bool are_collinear(const Point& a, const Point& b, const Point& c) {
+    if (a == b || a == c || b == c) return true;
     return CGAL::collinear(in_space(a), in_space(b), in_space(c));
 }
 

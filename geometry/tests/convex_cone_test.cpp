@@ -51,6 +51,29 @@ TEST(ConvexCone, IsNotPointedWhereItContainsALine) {
     EXPECT_FALSE(is_pointed({{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1e-300}}));
 }
 
+TEST(ConvexCone, NamesRaysThatContainALine) {
+    kernel::RandomStream random(8);
+    int lines = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<Point> targets(3 + random.below(7));
+        for (Point& target : targets)
+            target = i % 2 == 0 ? random_grid_point(random, 2) : random_point(random);
+        ConvexCone cone;
+        cone.span(Point::Zero(), targets);
+        if (cone.is_pointed()) {
+            EXPECT_THAT(cone.line(), IsEmpty());
+            continue;
+        }
+        std::vector<Point> named;
+        for (const Index ray : cone.line())
+            named.push_back(targets[static_cast<std::size_t>(ray)]);
+        EXPECT_LE(named.size(), 4U);
+        EXPECT_FALSE(is_pointed(named));
+        ++lines;
+    }
+    EXPECT_GT(lines, 500);
+}
+
 TEST(ConvexCone, HasItsRaysCounterClockwiseSeenFromOutside) {
     // Seen from above, the outside of a cone that opens downwards, these turn counter-clockwise.
     EXPECT_THAT(extreme({{1, 0, -1}, {0, 1, -1}, {-1, 0, -1}, {0, -1, -1}, {0, 0, -1}}),

@@ -139,6 +139,14 @@ std::vector<Regime> regimes() {
                  return Point(random_grid_point(r, 1) * std::numeric_limits<double>::max());
              });
          }},
+        {"underflow_under_heights", 500,
+         [](Random& r) {
+             return each([&] {
+                 Point point = random_point(r) * 0x1p-535;
+                 point.z() = random_coordinate(r) * 0x1p+1000;
+                 return point;
+             });
+         }},
         {"any", 200,
          [](Random& r) {
              return each([&] {
