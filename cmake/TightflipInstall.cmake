@@ -27,4 +27,4 @@ endfunction()
 tightflip_install_pkgconfig(kernel "combinatorial triangulated surfaces and their flips" "")
 tightflip_install_pkgconfig(geometry "mesh files and coordinates" "tightflip-kernel, eigen3")
 tightflip_install_pkgconfig(properties "generators, invariants and claims as checks"
-                            "tightflip-kernel")
+                            "tightflip-geometry")

@@ -3,6 +3,7 @@
 /// layout.
 #pragma once
 
+#include "bytes.hpp"
 #include <tightflip/properties/flip_case.hpp>
 
 #include <cstdint>
@@ -15,6 +16,9 @@ namespace tightflip::fuzz {
 inline constexpr kernel::Index most_spare_vertices = 8;  ///< beyond the least of the kind
 inline constexpr kernel::Index most_genus = 3;
 inline constexpr std::size_t most_flips = 32;
+
+/// The start that the next four bytes say, with no flips yet.
+[[nodiscard]] properties::FlipCase decode_start(Bytes& bytes);
 
 /// The case that the bytes say; missing ones count as 0, and those after the last flip are ignored.
 [[nodiscard]] properties::FlipCase decode(std::span<const std::uint8_t> data);

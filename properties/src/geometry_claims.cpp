@@ -1,0 +1,238 @@
+#include <tightflip/geometry/criterion.hpp>
+#include <tightflip/geometry/curvature.hpp>
+#include <tightflip/geometry/exact_predicates.hpp>
+#include <tightflip/geometry/quadrilateral.hpp>
+#include <tightflip/geometry/surface_measures.hpp>
+#include <tightflip/properties/geometry_claims.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace tightflip::properties {
+namespace {
+
+using geometry::Criterion;
+using geometry::CriterionInfo;
+using geometry::EdgeShape;
+using geometry::Energy;
+using geometry::Hinge;
+using geometry::QuadrilateralType;
+using geometry::Surface;
+using geometry::SurfaceMeasures;
+using geometry::SurfaceView;
+using geometry::VertexCurvature;
+using geometry::VertexType;
+using kernel::Edge;
+using kernel::Halfedge;
+using kernel::Index;
+
+using Result = std::optional<GeometryFinding>;
+
+constexpr double pi = std::numbers::pi;
+
+bool agree(double a, double b, double size) {
+    return a == b || std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(size));
+}
+
+template <class... Parts>
+Result found(GeometryClaim claim, const Parts&... parts) {
+    std::ostringstream out;
+    out.precision(17);
+    (out << ... << parts);
+    return GeometryFinding{claim, 0, out.str()};
+}
+
+Result vertex_claims_hold(const SurfaceView& surface, Halfedge h, const VertexCurvature& c) {
+    const Index v = at(surface.table, h).origin.id;
+    if (c.positive < 0 || c.negative < 0 ||
+        c.absolute() < std::abs(c.deficit()) - 1e-9 * c.absolute() - 1e-12) {
+        return found(GeometryClaim::curvature_signs, "vertex ", v, ": omega+ ", c.positive,
+                     ", omega- ", c.negative, ", omega ", c.deficit());
+    }
+    if (!agree(c.positive - c.negative, c.deficit(), c.absolute())) {
+        return found(GeometryClaim::curvature_sum, "vertex ", v, ": omega+ ", c.positive,
+                     ", omega- ", c.negative, ", omega ", c.deficit());
+    }
+    const bool may_be_positive = c.type == VertexType::convex || c.type == VertexType::mixed;
+    const bool may_be_negative = c.type == VertexType::saddle || c.type == VertexType::mixed;
+    if ((c.positive > 1e-9 && !may_be_positive) || (c.negative > 1e-9 && !may_be_negative)) {
+        return found(GeometryClaim::vertex_types, "vertex ", v, " of type ",
+                     static_cast<int>(c.type), ": omega+ ", c.positive, ", omega- ", c.negative);
+    }
+    return std::nullopt;
+}
+
+/// Before the flip of an edge, what it is and what the flip will make of it.
+struct Before {
+    EdgeShape shape;
+    double volume;
+    std::vector<Energy> values;
+    std::vector<Energy> changes;
+};
+
+class ScriptCheck {
+public:
+    explicit ScriptCheck(Surface surface) : surface_(std::move(surface)) {
+        for (const CriterionInfo& info : geometry::all_criteria()) {
+            if (info.needs_heights) continue;
+            infos_.push_back(&info);
+            criteria_.push_back(make_criterion(info.kind, surface_.view()));
+        }
+    }
+
+    [[nodiscard]] const Surface& surface() const { return surface_; }
+
+    [[nodiscard]] Result flip(Edge e) {
+        if (auto finding = edge_claims_hold(e)) return finding;
+        if (!surface_.triangulation().can_flip(e)) return std::nullopt;
+        const Before before = look(e);
+        static_cast<void>(surface_.triangulation().flip(e));
+        for (const auto& criterion : criteria_)
+            criterion->flipped(e);
+        if (auto finding = changes_hold(e, before)) return finding;
+        return shapes_hold(e, before);
+    }
+
+private:
+    [[nodiscard]] Result edge_claims_hold(Edge e) const {
+        const EdgeShape shape = edge_shape(surface_.view(), e);
+        const QuadrilateralType type = quadrilateral_type(surface_.view(), e);
+        const bool holds = type == QuadrilateralType::none ||
+                           (type == QuadrilateralType::cc || type == QuadrilateralType::rc
+                                ? shape == EdgeShape::convex
+                                : shape == EdgeShape::concave);
+        if (holds) return std::nullopt;
+        return found(GeometryClaim::quadrilaterals_and_edges, "edge ", e.id, " of shape ",
+                     static_cast<int>(shape), " and type ", static_cast<int>(type));
+    }
+
+    [[nodiscard]] Before look(Edge e) const {
+        const Hinge h = Hinge::at(surface_.view(), e);
+        Before before{edge_shape(h), (h.b - h.a).cross(h.c - h.a).dot(h.d - h.a) / 6, {}, {}};
+        for (const auto& criterion : criteria_) {
+            before.values.push_back(criterion->value());
+            before.changes.push_back(criterion->change(e));
+        }
+        return before;
+    }
+
+    [[nodiscard]] Result changes_hold(Edge e, const Before& before) const {
+        for (std::size_t k = 0; k < criteria_.size(); ++k) {
+            const Energy after = criteria_[k]->value();
+            for (std::size_t i = 0; i < Energy::max_levels; ++i) {
+                const double change = before.changes[k].levels[i];
+                const double difference = after.levels[i] - before.values[k].levels[i];
+                if (agree(change, difference, before.values[k].levels[i])) continue;
+                return found(GeometryClaim::local_change, infos_[k]->name, ", edge ", e.id,
+                             ", level ", i, ": announced ", change, ", is ", difference);
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Whether the volume, its sign and the shape of the new edge are what the old one says.
+    [[nodiscard]] Result shapes_hold(Edge e, const Before& before) const {
+        const EdgeShape now = edge_shape(surface_.view(), e);
+        const bool was_bent =
+            before.shape == EdgeShape::convex || before.shape == EdgeShape::concave;
+        const EdgeShape expected =
+            before.shape == EdgeShape::convex ? EdgeShape::concave : EdgeShape::convex;
+        if (was_bent ? now != expected : now == EdgeShape::convex || now == EdgeShape::concave) {
+            return found(GeometryClaim::exchange_of_shapes, "edge ", e.id, ": shape ",
+                         static_cast<int>(before.shape), " becomes ", static_cast<int>(now));
+        }
+        for (std::size_t k = 0; k < criteria_.size(); ++k) {
+            if (infos_[k]->kind != geometry::CriterionKind::volume) continue;
+            const double change = before.changes[k].first();
+            const double size = before.values[k].first();
+            if (!agree(change, -before.volume, size)) {
+                return found(GeometryClaim::change_of_volume, "edge ", e.id, ": ", -change,
+                             ", the tetrahedron has ", before.volume);
+            }
+            if ((change < 0) != (before.shape == EdgeShape::concave) ||
+                (change > 0) != (before.shape == EdgeShape::convex)) {
+                return found(GeometryClaim::sign_of_change, "edge ", e.id, ", shape ",
+                             static_cast<int>(before.shape), ": ", change);
+            }
+        }
+        return std::nullopt;
+    }
+
+    Surface surface_;
+    std::vector<const CriterionInfo*> infos_;
+    std::vector<std::unique_ptr<Criterion>> criteria_;
+};
+
+}  // namespace
+
+std::string_view name(GeometryClaim claim) {
+    constexpr std::array names{
+        "gauss_bonnet",     "curvature_signs",         "curvature_sum",
+        "vertex_types",     "cones_and_angles",        "least_total_curvature",
+        "local_change",     "sign_of_change",          "exchange_of_shapes",
+        "change_of_volume", "quadrilaterals_and_edges"};
+    return names.at(static_cast<std::size_t>(claim) -
+                    static_cast<std::size_t>(GeometryClaim::gauss_bonnet));
+}
+
+std::string describe(const GeometryFinding& finding) {
+    return "after " + std::to_string(finding.step) +
+           " flips: " + std::to_string(static_cast<int>(finding.claim)) + " " +
+           std::string(name(finding.claim)) + ": " + finding.detail;
+}
+
+std::optional<GeometryFinding> curvature_claims_hold(const SurfaceView& surface) {
+    geometry::StarMeter meter;
+    std::vector<char> seen(surface.points.size(), 0);
+    for (Index id = 0; id < static_cast<Index>(surface.table.size()); ++id) {
+        const Halfedge h{id};
+        char& is_seen = seen[static_cast<std::size_t>(at(surface.table, h).origin.id)];
+        if (std::exchange(is_seen, 1) != 0) continue;
+        if (auto finding = vertex_claims_hold(surface, h, meter.measure(surface, h))) {
+            return finding;
+        }
+    }
+    const SurfaceMeasures sums = measure(surface);
+    const double total = 2 * pi * sums.euler_characteristic;
+    if (!agree(sums.total_curvature, total, sums.total_absolute_curvature)) {
+        return found(GeometryClaim::gauss_bonnet, sums.total_curvature, " instead of ", total);
+    }
+    if (!agree(sums.total_absolute_curvature, sums.absolute_curvature_by_cones(),
+               sums.total_absolute_curvature)) {
+        return found(GeometryClaim::cones_and_angles, sums.total_absolute_curvature, " and ",
+                     sums.absolute_curvature_by_cones());
+    }
+    Index vertices = 0;
+    for (const Index count : sums.vertex_types)
+        vertices += count;
+    if (vertices != static_cast<Index>(surface.points.size())) {
+        return found(GeometryClaim::vertex_types, vertices, " vertices of some type");
+    }
+    if (sums.euler_characteristic == 2 && sums.total_absolute_curvature < 4 * pi * (1 - 1e-9)) {
+        return found(GeometryClaim::least_total_curvature, sums.total_absolute_curvature);
+    }
+    return std::nullopt;
+}
+
+std::optional<GeometryFinding> geometry_claims_hold(Surface surface, std::span<const Edge> script) {
+    if (auto finding = curvature_claims_hold(surface.view())) return finding;
+    ScriptCheck check(std::move(surface));
+    for (std::size_t step = 0; step < script.size(); ++step) {
+        Result finding = check.flip(script[step]);
+        if (!finding) finding = curvature_claims_hold(check.surface().view());
+        if (!finding) continue;
+        finding->step = step + 1;
+        return finding;
+    }
+    return std::nullopt;
+}
+
+}  // namespace tightflip::properties
