@@ -29,7 +29,7 @@ public:
         return cursor_.line();
     }
     double real(PlyScalar) { return cursor_.number("a property"); }
-    std::int64_t integer(PlyScalar) { return cursor_.integer("a corner"); }
+    std::int64_t integer(PlyScalar, std::string_view what) { return cursor_.integer(what); }
     std::uint64_t length(const PlyProperty&) { return cursor_.count("the length of a list"); }
     void skip(PlyScalar, std::uint64_t count) {
         for (std::uint64_t i = 0; i < count; ++i)
@@ -62,7 +62,7 @@ public:
         return offset_;
     }
     double real(PlyScalar type) { return take<double>(type); }
-    std::int64_t integer(PlyScalar type) { return take<std::int64_t>(type); }
+    std::int64_t integer(PlyScalar type, std::string_view) { return take<std::int64_t>(type); }
     std::uint64_t length(const PlyProperty& list) {
         const std::size_t at = offset_;
         const auto length = take<std::int64_t>(list.count_type);
@@ -122,33 +122,53 @@ private:
     std::uint64_t row_ = 0;
 };
 
+/// What a row says of a vertex or a face.
+struct RowContent {
+    Eigen::Vector3d point;
+    std::vector<std::int64_t> corners;
+    std::vector<std::int64_t> glued_sides;
+    bool has_glued_sides = false;
+};
+
+template <class Rows>
+void read_list(Rows& rows, const PlyProperty& list, std::string_view what,
+               std::vector<std::int64_t>& entries) {
+    entries.clear();
+    for (auto n = rows.length(list); n > 0; --n)
+        entries.push_back(rows.integer(list.type, what));
+}
+
+template <class Rows>
+void read_property(Rows& rows, const PlyProperty& property, RowContent& row) {
+    if (property.use == PlyUse::corners) {
+        read_list(rows, property, "a corner", row.corners);
+    } else if (property.use == PlyUse::glued_sides) {
+        read_list(rows, property, "a glued side", row.glued_sides);
+        row.has_glued_sides = true;
+    } else if (property.is_list) {
+        rows.skip(property.type, rows.length(property));
+    } else {
+        const double value = rows.real(property.type);
+        if (property.use == PlyUse::nothing) return;
+        row.point[static_cast<int>(property.use) - static_cast<int>(PlyUse::x)] = value;
+    }
+}
+
 template <class Rows>
 TriangleSoup read_rows(Rows rows, const PlyHeader& header, const MeshInput& input) {
     SoupBuilder builder(input, Rows::unit, 0);
     builder.reserve(header.rows_of("vertex"), header.rows_of("face"));
-    Eigen::Vector3d point;
-    std::vector<std::int64_t> corners;
+    RowContent content;
     for (const PlyElement& element : header.elements) {
         for (std::uint64_t row = 0; row < element.rows; ++row) {
             const std::uint64_t position = rows.begin_row(element, row);
-            for (const PlyProperty& property : element.properties) {
-                if (property.use == PlyUse::corners) {
-                    corners.clear();
-                    for (auto n = rows.length(property); n > 0; --n) {
-                        corners.push_back(rows.integer(property.type));
-                    }
-                } else if (property.is_list) {
-                    rows.skip(property.type, rows.length(property));
-                } else {
-                    const double value = rows.real(property.type);
-                    if (property.use != PlyUse::nothing) {
-                        point[static_cast<int>(property.use) - static_cast<int>(PlyUse::x)] = value;
-                    }
-                }
-            }
+            for (const PlyProperty& property : element.properties)
+                read_property(rows, property, content);
             rows.end_row(element);
-            if (element.is_vertex()) builder.add_point(point, position);
-            if (element.is_face()) builder.add_polygon(corners, position);
+            if (element.is_vertex()) builder.add_point(content.point, position);
+            if (!element.is_face()) continue;
+            builder.add_polygon(content.corners, position);
+            if (content.has_glued_sides) builder.add_glued_sides(content.glued_sides, position);
         }
     }
     rows.end();

@@ -43,12 +43,14 @@ struct Wanted {
     std::string_view property;
     bool is_list;
     PlyUse use;
+    bool is_required = true;
 };
-constexpr std::array<Wanted, 5> wanted{{{"vertex", "x", false, PlyUse::x},
+constexpr std::array<Wanted, 6> wanted{{{"vertex", "x", false, PlyUse::x},
                                         {"vertex", "y", false, PlyUse::y},
                                         {"vertex", "z", false, PlyUse::z},
                                         {"face", "vertex_indices", true, PlyUse::corners},
-                                        {"face", "vertex_index", true, PlyUse::corners}}};
+                                        {"face", "vertex_index", true, PlyUse::corners},
+                                        {"face", "glued_sides", true, PlyUse::glued_sides, false}}};
 
 bool is_integer(PlyScalar type) noexcept {
     return type != PlyScalar::f32 && type != PlyScalar::f64;
@@ -97,7 +99,7 @@ void read_property(TextCursor& cursor, PlyElement& element) {
                         (use->is_list ? "list" : "single number, not a list"));
         }
         if (use->is_list && !is_integer(property.type)) {
-            cursor.fail("the corners of a face must be integers");
+            cursor.fail("the corners and glued sides of a face must be integers");
         }
         if (std::ranges::count(element.properties, use->use, &PlyProperty::use) > 0) {
             cursor.fail("the property " + quoted(name) + " is there twice, or under two names");
@@ -117,6 +119,7 @@ std::uint64_t least_row_size(const PlyElement& element, PlyEncoding encoding) no
 
 void require_wanted(const TextCursor& cursor, const PlyHeader& header) {
     for (const Wanted& w : wanted) {
+        if (!w.is_required) continue;
         const auto element = std::ranges::find(header.elements, w.element, &PlyElement::name);
         if (element != header.elements.end() &&
             std::ranges::count(element->properties, w.use, &PlyProperty::use) == 1) {

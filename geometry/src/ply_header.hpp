@@ -16,7 +16,7 @@ enum class PlyEncoding : std::uint8_t { ascii, little_endian, big_endian };
 enum class PlyScalar : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
 
 /// What a property is read for.
-enum class PlyUse : std::uint8_t { nothing, x, y, z, corners };
+enum class PlyUse : std::uint8_t { nothing, x, y, z, corners, glued_sides };
 
 struct PlyProperty {
     PlyScalar type{};  ///< of the value, or of a list's entries
@@ -44,8 +44,8 @@ struct PlyHeader {
 [[nodiscard]] std::size_t size_of(PlyScalar type) noexcept;
 
 /// Reads the header; leaves the cursor on the line end_header. Afterwards there is one element
-/// vertex with the scalars x, y and z, one element face with one list of corners, and the rows that
-/// are promised can stand in the bytes that follow.
+/// vertex with the scalars x, y and z, one element face with one list of corners and perhaps one of
+/// glued sides, and the rows that are promised can stand in the bytes that follow.
 [[nodiscard]] PlyHeader read_ply_header(TextCursor& cursor, std::string_view bytes);
 
 }  // namespace tightflip::geometry

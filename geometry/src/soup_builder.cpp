@@ -54,7 +54,33 @@ void SoupBuilder::add_polygon(std::span<const std::int64_t> corners, std::uint64
     }
 }
 
+void SoupBuilder::add_glued_sides(std::span<const std::int64_t> sides, std::uint64_t position) {
+    if (soup_.glued_sides.size() + 1 != soup_.triangles.size()) {
+        fail(position,
+             "a face whose glued sides are listed has more than three corners; only "
+             "triangles can be glued");
+    }
+    if (sides.size() != 3) {
+        fail(position,
+             std::to_string(sides.size()) + " glued sides are listed for a face, which has three");
+    }
+    std::array<Index, 3>& glued = soup_.glued_sides.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (sides[i] < -1 || sides[i] >= 3 * max_faces_) fail_for_side(sides[i], position);
+        glued[i] = static_cast<Index>(sides[i]);
+    }
+}
+
 TriangleSoup SoupBuilder::finish() && {
+    refuse_missing_corners();
+    refuse_missing_sides();
+    if (soup_.triangles.empty()) {
+        throw FileError(soup_.source, "the file has no faces, and so describes no surface");
+    }
+    return std::move(soup_);
+}
+
+void SoupBuilder::refuse_missing_corners() const {
     for (std::size_t f = 0; f < soup_.triangles.size(); ++f) {
         for (const Index corner : soup_.triangles[f]) {
             if (corner < point_count()) continue;
@@ -64,10 +90,15 @@ TriangleSoup SoupBuilder::finish() && {
                      std::to_string(first_label_));
         }
     }
-    if (soup_.triangles.empty()) {
-        throw FileError(soup_.source, "the file has no faces, and so describes no surface");
+}
+
+void SoupBuilder::refuse_missing_sides() const {
+    for (std::size_t f = 0; f < soup_.glued_sides.size(); ++f) {
+        for (const Index side : soup_.glued_sides[f]) {
+            if (side < 3 * std::ssize(soup_.triangles)) continue;
+            fail_for_side(side, soup_.triangle_positions[f]);
+        }
     }
-    return std::move(soup_);
 }
 
 Index SoupBuilder::checked(std::int64_t corner, std::uint64_t position) const {
@@ -78,6 +109,12 @@ Index SoupBuilder::checked(std::int64_t corner, std::uint64_t position) const {
                            std::to_string(label_of(3 * max_faces_)));
     }
     return static_cast<Index>(corner);
+}
+
+void SoupBuilder::fail_for_side(std::int64_t side, std::uint64_t position) const {
+    fail(position, "a side is glued to " + std::to_string(side) +
+                       ", which does not exist: sides are numbered 3 * face + side, from 0, and -1 "
+                       "means glued to none");
 }
 
 void SoupBuilder::fail(std::uint64_t position, std::string reason) const {

@@ -22,8 +22,12 @@ public:
     void add_point(const Eigen::Vector3d& point, std::uint64_t position);
     /// Corners counted from 0 whatever the format's labels; they may name points yet to come.
     void add_polygon(std::span<const std::int64_t> corners, std::uint64_t position);
+    /// What the sides of the latest polygon, which must be a triangle, are glued to; -1 for
+    /// nothing.
+    void add_glued_sides(std::span<const std::int64_t> sides, std::uint64_t position);
 
-    /// The soup, now that all points are known. Refuses corners without a point, and no triangles.
+    /// The soup, now that all points are known. Refuses corners without a point, glued sides
+    /// without a triangle, and no triangles.
     [[nodiscard]] TriangleSoup finish() &&;
 
     [[nodiscard]] std::int64_t point_count() const noexcept { return std::ssize(soup_.points); }
@@ -35,6 +39,9 @@ public:
 
 private:
     [[nodiscard]] Index checked(std::int64_t corner, std::uint64_t position) const;
+    void refuse_missing_corners() const;
+    void refuse_missing_sides() const;
+    [[noreturn]] void fail_for_side(std::int64_t side, std::uint64_t position) const;
 
     TriangleSoup soup_;
     std::int64_t first_label_;

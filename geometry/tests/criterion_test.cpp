@@ -1,6 +1,7 @@
 #include "height_grid.hpp"
 #include "shapes.hpp"
 #include <tightflip/geometry/criterion.hpp>
+#include <tightflip/geometry/curvature.hpp>
 #include <tightflip/geometry/exact_predicates.hpp>
 #include <tightflip/geometry/hinge.hpp>
 #include <tightflip/geometry/surface_measures.hpp>
@@ -220,14 +221,16 @@ TEST(Criterion, CotangentsFallWhereOppositeAnglesExceedPi) {
     EXPECT_GT(falling, 5);
 }
 
+/// The gradient of the plane of three points.
+Eigen::Vector2d gradient_of(const Point& p, const Point& q, const Point& r) {
+    Eigen::Matrix2d sides;
+    sides << (q - p).head<2>().transpose(), (r - p).head<2>().transpose();
+    return sides.inverse() * Eigen::Vector2d(q.z() - p.z(), r.z() - p.z());
+}
+
 /// |grad P1 - grad P2| across an edge, gradients by solving for the planes.
 double slope_jump(const Hinge& h) {
-    const auto gradient = [](const Point& p, const Point& q, const Point& r) {
-        Eigen::Matrix2d sides;
-        sides << (q - p).head<2>().transpose(), (r - p).head<2>().transpose();
-        return Eigen::Vector2d(sides.inverse() * Eigen::Vector2d(q.z() - p.z(), r.z() - p.z()));
-    };
-    return (gradient(h.a, h.b, h.c) - gradient(h.b, h.a, h.d)).norm();
+    return (gradient_of(h.a, h.b, h.c) - gradient_of(h.b, h.a, h.d)).norm();
 }
 
 TEST(Criterion, JumpInNormalDerivative) {
@@ -243,6 +246,39 @@ TEST(Criterion, JumpInNormalDerivative) {
     }
     EXPECT_NEAR(make_criterion(CriterionKind::jnd, view, grid.marked)->value().first(), sum,
                 1e-11 * sum);
+}
+
+// The paper says that the jump in normal derivative is related to the mean curvature: with the
+// slope s along the edge and the gradients g1, g2 of the faces, the exterior angle 2 |H| satisfies
+// sin(2 |H|) = jump sqrt(1 + s^2) / sqrt((1 + |g1|^2) (1 + |g2|^2)).
+TEST(Criterion, TheJumpInNormalDerivativeIsRelatedToTheExteriorAngle) {
+    kernel::RandomStream random(2);
+    int agreements = 0;
+    int disagreements = 0;
+    for (int i = 0; i < 500; ++i) {
+        // A quadrilateral with one diagonal and then the other, heights at random
+        // (of a square both jumps would be equal)
+        std::vector<Point> p{{0, 0, 0}, {1, 0, 0}, {1.5, 1.2, 0}, {0, 1, 0}};
+        for (Point& point : p)
+            point.z() = 2 * random_coordinate(random);
+        const Hinge one{p[0], p[2], p[3], p[1]};
+        const Hinge other{p[1], p[3], p[0], p[2]};
+        for (const Hinge& h : {one, other}) {
+            const double slope = (h.b.z() - h.a.z()) / (h.b - h.a).head<2>().norm();
+            const double first = gradient_of(h.a, h.b, h.c).squaredNorm();
+            const double second = gradient_of(h.b, h.a, h.d).squaredNorm();
+            const double sine = slope_jump(h) * std::sqrt(1 + slope * slope) /
+                                std::sqrt((1 + first) * (1 + second));
+            EXPECT_NEAR(std::sin(std::abs(exterior_angle(h))), sine, 1e-12);
+        }
+        const bool jump_prefers_one = slope_jump(one) < slope_jump(other);
+        const bool mean_prefers_one =
+            std::abs(exterior_angle(one)) < std::abs(exterior_angle(other));
+        ++(jump_prefers_one == mean_prefers_one ? agreements : disagreements);
+    }
+    // Related, and not the same: they disagree about some quadrilaterals.
+    EXPECT_GT(agreements, disagreements);
+    EXPECT_GT(disagreements, 0);
 }
 
 /// The cubic patch in Bernstein form, written out, and its energy by differences at the middles of

@@ -4,6 +4,7 @@
 #include "allocation_count.hpp"
 #include "reading.hpp"
 #include "samples.hpp"
+#include <tightflip/geometry/soup_gluing.hpp>
 #include <tightflip/kernel/random.hpp>
 
 namespace tightflip::geometry {
@@ -26,6 +27,12 @@ bool survives(const std::string& bytes, const std::string& name, const MeshFileO
         }
         for (const auto& point : soup.points)
             EXPECT_TRUE(point.allFinite());
+        EXPECT_TRUE(soup.glued_sides.empty() || soup.glued_sides.size() == soup.triangles.size());
+        for (const auto& sides : soup.glued_sides) {
+            for (const Index side : sides)
+                EXPECT_TRUE(side >= -1 && side < 3 * std::ssize(soup.triangles)) << side;
+        }
+        (void)audit(glue(soup));
     } catch (const FileError& error) {
         EXPECT_EQ(error.source(), name);
         EXPECT_FALSE(error.reason().empty());
@@ -106,6 +113,8 @@ TEST(DamagedFiles, HugeCountsTakeNoMemory) {
                  {"a.ply", with(samples::ply_ascii(), "face 4", "face " + count)},
                  {"a.ply", with(samples::ply_ascii(), "3 0 2 1", count + " 0 2 1")},
                  {"a.ply", with(samples::ply_binary(std::endian::big), "face 4", "face " + count)},
+                 {"a.ply", with(samples::ply_glued("ascii"), "3 9 6 3", count + " 9 6 3")},
+                 {"a.ply", with(samples::ply_glued("ascii"), "3 9 6 3", "3 9 6 " + count)},
                  {"a.obj", with(obj, "4000000000", count)}}) {
             SCOPED_TRACE(name + "\n" + bytes.substr(0, 400));
             EXPECT_FALSE(survives(bytes, name, {.triangulate_polygons = true}));

@@ -54,6 +54,31 @@ inline std::string ply_binary(std::endian order) {
     return bytes;
 }
 
+/// The same with the gluing of its sides.
+inline std::string ply_glued(std::string_view encoding) {
+    std::string header = ply_header(encoding);
+    const std::string list = "property list uchar int glued_sides\n";
+    header.insert(header.find("end_header"), list);
+    constexpr std::array<std::array<std::int32_t, 6>, 4> rows{
+        {{0, 2, 1, 9, 6, 3}, {0, 1, 3, 2, 8, 10}, {1, 2, 3, 1, 11, 4}, {2, 0, 3, 0, 5, 7}}};
+    if (encoding == "ascii") {
+        std::string text = header + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+        for (const auto& row : rows) {
+            for (std::size_t i = 0; i < 6; ++i)
+                text += (i % 3 == 0 ? "3 " : "") + std::to_string(row[i]) + (i < 5 ? " " : "\n");
+        }
+        return text;
+    }
+    std::string bytes = header;
+    for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F})
+        bytes += packed(x);
+    for (const auto& row : rows) {
+        for (std::size_t i = 0; i < 6; ++i)
+            bytes += (i % 3 == 0 ? "\3" : "") + packed(row[i]);
+    }
+    return bytes;
+}
+
 /// The points of each face's corners, listed so that the vertices first appear in the order of the
 /// other samples (the tetrahedron is turned inside out for it).
 inline const std::vector<std::array<std::array<float, 3>, 3>>& corner_points() {
@@ -106,6 +131,8 @@ inline std::vector<Sample> all() {
             {"text.ply", ply_ascii()},
             {"little.ply", ply_binary(std::endian::little)},
             {"big.ply", ply_binary(std::endian::big)},
+            {"text-glued.ply", ply_glued("ascii")},
+            {"glued.ply", ply_glued("binary_little_endian")},
             {"text.stl", stl_ascii()},
             {"binary.stl", stl_binary()}};
 }

@@ -1,5 +1,5 @@
-#include "plain_writer.hpp"
 #include <tightflip/kernel/flip_graph_dot.hpp>
+#include <tightflip/kernel/plain_writer.hpp>
 
 #include <algorithm>
 #include <map>

@@ -1,9 +1,9 @@
 // The two written forms of a flip log: "tightflip-flip-log 1" as text, and the same content in
 // binary. Both end in a checksum of the content, which is the same for both.
 
-#include "plain_writer.hpp"
 #include <tightflip/kernel/build.hpp>
 #include <tightflip/kernel/flip_log.hpp>
+#include <tightflip/kernel/plain_writer.hpp>
 #include <tightflip/kernel/surface_text.hpp>
 
 #include <algorithm>

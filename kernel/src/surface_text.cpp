@@ -1,4 +1,4 @@
-#include "plain_writer.hpp"
+#include <tightflip/kernel/plain_writer.hpp>
 #include <tightflip/kernel/surface_text.hpp>
 
 #include <optional>

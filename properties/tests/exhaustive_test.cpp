@@ -1,14 +1,13 @@
 // Every triangulation with few vertices, every flip of each.
 
+#include "labelled_surfaces.hpp"
 #include <tightflip/kernel/families.hpp>
-#include <tightflip/kernel/surface_equality.hpp>
 #include <tightflip/properties/invariants.hpp>
 #include <tightflip/properties/reference_model.hpp>
 
 #include <algorithm>
 #include <ostream>
 #include <set>
-#include <unordered_set>
 
 #include <gtest/gtest.h>
 
@@ -17,16 +16,6 @@ namespace {
 
 namespace families = kernel::families;
 using kernel::Halfedge;
-
-struct SurfaceHash {
-    std::size_t operator()(const Triangulation& s) const noexcept { return surface_hash(s); }
-};
-struct SameSurface {
-    bool operator()(const Triangulation& a, const Triangulation& b) const {
-        return same_labelled_surface(a, b);
-    }
-};
-using LabelledSurfaces = std::unordered_set<Triangulation, SurfaceHash, SameSurface>;
 
 /// The surface as seen from one halfedge: halfedges are numbered as a breadth-first walk over next
 /// and twin meets them. Two rooted surfaces are the same, labels ignored, iff these are.

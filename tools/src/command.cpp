@@ -37,6 +37,16 @@ bool parse(const std::string& text, Number& value) {
     return error == std::errc{} && stopped == end;
 }
 
+/// A check for a finite number that is not negative; `what` names it.
+CLI::Validator finite_from_zero(const char* what) {
+    return {[what](std::string& text) {
+                double value = 0;
+                if (parse(text, value) && std::isfinite(value) && value >= 0) return std::string{};
+                return fmt::format("'{}' is no {}", text, what);
+            },
+            ""};
+}
+
 }  // namespace
 
 Exit worse(Exit a, Exit b) noexcept {
@@ -110,12 +120,11 @@ CLI::Validator whole_number(std::uint64_t least) {
 }
 
 CLI::Validator seconds() {
-    return {[](std::string& text) {
-                double value = 0;
-                if (parse(text, value) && std::isfinite(value) && value >= 0) return std::string{};
-                return fmt::format("'{}' is no number of seconds", text);
-            },
-            ""};
+    return finite_from_zero("number of seconds");
+}
+
+CLI::Validator length() {
+    return finite_from_zero("length");
 }
 
 }  // namespace tightflip::tools

@@ -44,10 +44,11 @@ public:
 [[nodiscard]] Exit for_each_input(const Output& output, const std::vector<std::string>& inputs,
                                   const std::function<Exit(const std::string&)>& judge);
 
-/// Checks of options: a whole number not below `least`, and a number of seconds. The parser alone
-/// would take -1 for the largest number there is, and "nan" for a time.
+/// Checks of options: a whole number not below `least`, a number of seconds, and a length. The
+/// parser alone would take -1 for the largest number there is, and "nan" for a time.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t least = 0);
 [[nodiscard]] CLI::Validator seconds();
+[[nodiscard]] CLI::Validator length();
 
 /// A verb adds its options to the application and keeps what to do when it is called.
 using Action = std::function<Exit()>;
@@ -61,6 +62,9 @@ void add_path(CLI::App& app, const Output& output, Action& action);
 void add_verify(CLI::App& app, const Output& output, Action& action);
 void add_canonical(CLI::App& app, const Output& output, Action& action);
 void add_isomorphic(CLI::App& app, const Output& output, Action& action);
+void add_convert(CLI::App& app, const Output& output, Action& action);
+void add_measure(CLI::App& app, const Output& output, Action& action);
+void add_render(CLI::App& app, const Output& output, Action& action);
 void add_info(CLI::App& app, const Output& output, Action& action);
 
 }  // namespace tightflip::tools

@@ -1,6 +1,7 @@
 #include "command.hpp"
 #include "report.hpp"
 #include "surface_input.hpp"
+#include <tightflip/geometry/data_sets.hpp>
 #include <tightflip/properties/generators.hpp>
 
 #include <map>
@@ -19,13 +20,22 @@ struct Options {
     InputOptions input;
 };
 
-/// About the program: its kinds of surfaces and its violation codes.
+/// About the program: its kinds of surfaces, its data sets and its violation codes.
 Exit describe_program(const Output& output) {
     Json kinds = Json::array();
     output.say("tightflip " TIGHTFLIP_VERSION "\n\nkinds of surfaces:");
     for (const properties::StartKind& kind : properties::start_kinds()) {
         output.say(fmt::format("  {:<13} {}", kind.name, kind.description));
         kinds.push_back({{"name", kind.name}, {"description", kind.description}});
+    }
+    Json data_sets = Json::array();
+    output.say("\ndata sets, surfaces with points:");
+    for (const geometry::DataSet& set : geometry::all_data_sets()) {
+        output.say(fmt::format("  {:<17} {}", set.name, set.description));
+        data_sets.push_back({{"name", set.name},
+                             {"description", set.description},
+                             {"default_vertices", set.default_vertices},
+                             {"marked_vertex", set.has_marked_vertex}});
     }
     Json codes = Json::array();
     output.say("\nviolation codes:");
@@ -36,7 +46,10 @@ Exit describe_program(const Output& output) {
                          {"name", kernel::name(code)},
                          {"description", kernel::describe(code)}});
     }
-    output.object({{"version", TIGHTFLIP_VERSION}, {"kinds", kinds}, {"codes", codes}});
+    output.object({{"version", TIGHTFLIP_VERSION},
+                   {"kinds", kinds},
+                   {"data_sets", data_sets},
+                   {"codes", codes}});
     return Exit::holds;
 }
 
@@ -68,10 +81,12 @@ Exit describe_surface(const Output& output, const Options& options, const std::s
         output.say(fmt::format("    {:>5}: {}", degree, count));
         by_degree[std::to_string(degree)] = count;
     }
+    input.say_repairs(output);
     Json json{{"file", file}, {"format", input.format()}};
     json.update(to_json(report, [&](const kernel::Violation& v) { return input.where(v); }));
     json["flippable_edges"] = flippable;
     json["vertices_by_degree"] = by_degree;
+    input.add_repairs(json);
     output.object(json);
     return Exit::holds;
 }
@@ -85,6 +100,7 @@ void add_info(CLI::App& app, const Output& output, Action& action) {
     verb->add_option("FILE", options->files, "Surfaces or meshes");
     options->input.add_triangulate(*verb);
     options->input.add_reorient(*verb);
+    options->input.add_repair(*verb);
     verb->callback([&output, &action, options] {
         action = [&output, options] {
             if (options->files.empty()) return describe_program(output);

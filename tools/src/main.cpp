@@ -24,7 +24,8 @@ int run(int argc, char** argv) {
                  "One JSON object an input on standard output, messages on standard error");
     Action action;
     for (const auto add : {add_make, add_check, add_campaign, add_flip, add_replay, add_explore,
-                           add_path, add_verify, add_canonical, add_isomorphic, add_info}) {
+                           add_path, add_verify, add_canonical, add_isomorphic, add_convert,
+                           add_measure, add_render, add_info}) {
         add(app, output, action);
     }
     try {

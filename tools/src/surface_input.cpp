@@ -1,17 +1,23 @@
 #include "surface_input.hpp"
 
-#include <tightflip/geometry/file_place.hpp>
-#include <tightflip/geometry/mesh_file.hpp>
-#include <tightflip/kernel/file_io.hpp>
-#include <tightflip/kernel/flip_log.hpp>
-
-#include <algorithm>
+#include <charconv>
 
 namespace tightflip::tools {
+namespace {
 
-using kernel::AuditReport;
-using kernel::FileError;
-using kernel::Violation;
+geometry::SurfaceFileOptions file_options(const InputOptions& options) {
+    geometry::RepairOptions repair = options.repair_all ? geometry::all_repairs : options.repair;
+    if (!options.weld.empty()) {
+        double distance = 0;
+        std::from_chars(options.weld.data(), options.weld.data() + options.weld.size(), distance);
+        repair.weld = distance;
+    }
+    return {.triangulate_polygons = options.triangulate,
+            .reorient = options.reorient,
+            .repair = repair};
+}
+
+}  // namespace
 
 void InputOptions::add_triangulate(CLI::App& verb) {
     verb.add_flag("--triangulate", triangulate,
@@ -24,80 +30,41 @@ void InputOptions::add_reorient(CLI::App& verb) {
         "Turn faces of a mesh file over where they are not oriented alike (else refused)");
 }
 
+void InputOptions::add_repair(CLI::App& verb) {
+    // The flag takes its value with '=' alone, so that it never takes a file's name for one.
+    verb.add_flag("--weld{0}", weld,
+                  "Make points of a mesh file one that are equal or, with --weld=DISTANCE, no "
+                  "further apart")
+        ->check(length());
+    verb.add_flag("--drop-faces", repair.drop_faces,
+                  "Drop faces of a mesh file that repeat a corner or another face");
+    verb.add_flag("--drop-unused", repair.drop_unused,
+                  "Drop vertices of a mesh file that no face has");
+    verb.add_flag("--fill-holes", repair.fill_holes,
+                  "Close the boundary of a mesh file with fans of new faces");
+    verb.add_flag("--repair", repair_all,
+                  "Do all four: --weld, --drop-faces, --drop-unused, --fill-holes");
+}
+
 SurfaceInput::SurfaceInput(const std::string& path, const InputOptions& options)
-    : path_(path), options_(options) {
-    const std::string bytes = kernel::read_file(path);
-    if (kernel::is_flip_log(bytes)) {
-        throw FileError(path, "this is a flip log, not a surface; use 'tightflip replay'");
-    }
-    if (kernel::is_surface_text(bytes)) {
-        kernel::RawSurface surface = kernel::parse_surface(bytes, path);
-        format_ = std::holds_alternative<kernel::Gluing>(surface) ? "tightflip-gluing"
-                                                                  : "tightflip-triangulation";
-        content_ = std::move(surface);
-        return;
-    }
-    const auto format = geometry::detect_mesh_format(bytes, path);
-    if (!format && !bytes.empty()) {
-        throw FileError(path,
-                        "this is neither a tightflip format nor, by its content or its name's "
-                        "extension, an OBJ, OFF, PLY or STL file");
-    }
-    geometry::TriangleSoup soup = geometry::read_mesh(
-        bytes, path, {.format = format, .triangulate_polygons = options.triangulate});
-    format_ = geometry::name(*format);
-    kernel::FaceListReading reading = kernel::glue_faces(soup.triangles, soup.vertex_count());
-    content_ = Mesh{std::move(soup), std::move(reading)};
+    : SurfaceFile(path, file_options(options)) {}
+
+void SurfaceInput::say_repairs(const Output& output) const {
+    if (!repairs()) return;
+    for (const std::string& line : geometry::in_words(*repairs()))
+        output.say("  repair: " + line);
 }
 
-AuditReport SurfaceInput::audit() const {
-    if (const auto* surface = std::get_if<kernel::RawSurface>(&content_)) {
-        return kernel::audit(*surface);
-    }
-    const auto& reading = std::get<Mesh>(content_).reading;
-    AuditReport report = kernel::audit(reading.gluing);
-    report.violation_count += static_cast<std::int64_t>(reading.violations.size());
-    const auto kept = std::min(static_cast<std::int64_t>(reading.violations.size()),
-                               kernel::AuditOptions{}.max_per_code);
-    report.violations.insert(report.violations.begin(), reading.violations.begin(),
-                             reading.violations.begin() + kept);
-    std::ranges::stable_sort(report.violations, kernel::precedes);
-    return report;
-}
-
-std::string SurfaceInput::where(const Violation& violation) const {
-    const auto* mesh = std::get_if<Mesh>(&content_);
-    return mesh != nullptr ? geometry::where(mesh->soup, violation) : kernel::where(violation);
-}
-
-kernel::Triangulation SurfaceInput::triangulation() const {
-    AuditReport report = audit();
-    if (!report.is_valid()) {
-        const Violation& first = report.violations.front();
-        const auto* mesh = std::get_if<Mesh>(&content_);
-        const auto position = mesh != nullptr ? file_position(mesh->soup, first) : std::nullopt;
-        throw FileError(path_, position ? mesh->soup.unit : FileError::Unit::none,
-                        position.value_or(0),
-                        kernel::where(first) + ": " + message(first) +
-                            " ('tightflip check' lists all violations)");
-    }
-    if (const auto* surface = std::get_if<kernel::RawSurface>(&content_)) {
-        return build(*surface).value();
-    }
-    if (!report.coherently_stored && !options_.reorient) {
-        throw FileError(path_,
-                        "its faces are not oriented alike; give --reorient to turn some over");
-    }
-    return build(std::get<Mesh>(content_).reading.gluing).value();
-}
-
-kernel::RawTable SurfaceInput::table() const {
-    if (const auto* surface = std::get_if<kernel::RawSurface>(&content_)) {
-        if (const auto* table = std::get_if<kernel::RawTable>(surface)) return *table;
-    }
-    const kernel::Triangulation built = triangulation();
-    return {.vertex_count = built.vertex_count(),
-            .records = {built.table().begin(), built.table().end()}};
+void SurfaceInput::add_repairs(Json& json) const {
+    if (!repairs()) return;
+    json["repairs"] = {{"points_welded", repairs()->points_welded},
+                       {"faces_repeating_corners", repairs()->faces_repeating_corners},
+                       {"faces_repeating_faces", repairs()->faces_repeating_faces},
+                       {"vertices_unused", repairs()->vertices_unused},
+                       {"holes_filled", repairs()->holes_filled},
+                       {"faces_added", repairs()->faces_added},
+                       {"sides_left_open", repairs()->sides_left_open},
+                       {"gluing_dropped", repairs()->gluing_dropped}};
 }
 
 }  // namespace tightflip::tools

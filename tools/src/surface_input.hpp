@@ -2,13 +2,10 @@
 /// Any file the command takes as a surface.
 #pragma once
 
-#include <tightflip/geometry/triangle_soup.hpp>
-#include <tightflip/kernel/surface_text.hpp>
+#include "command.hpp"
+#include <tightflip/geometry/surface_file.hpp>
 
 #include <string>
-#include <variant>
-
-#include <CLI/CLI.hpp>
 
 namespace tightflip::tools {
 
@@ -16,39 +13,28 @@ namespace tightflip::tools {
 struct InputOptions {
     bool triangulate = false;
     bool reorient = false;
+    std::string weld;  ///< a distance as it was given; empty where it was not
+    geometry::RepairOptions repair{};
+    bool repair_all = false;
 
     void add_triangulate(CLI::App& verb);
     void add_reorient(CLI::App& verb);
+    /// The options that mend a mesh file: --weld, --drop-faces, --drop-unused, --fill-holes and,
+    /// for all of them, --repair.
+    void add_repair(CLI::App& verb);
 };
 
-/// A file that could be read; whether it is a valid surface is for the audit to say.
-class SurfaceInput {
+/// A file that could be read, see geometry::SurfaceFile; whether it is a valid surface is for the
+/// audit to say.
+class SurfaceInput : public geometry::SurfaceFile {
 public:
     /// Throws kernel::FileError where the file cannot be understood.
     SurfaceInput(const std::string& path, const InputOptions& options);
 
-    [[nodiscard]] const std::string& format() const noexcept { return format_; }
-    /// The audit, together with what a face list leaves undetermined.
-    [[nodiscard]] kernel::AuditReport audit() const;
-    /// The place of a violation, with the line or byte of the file where it is known.
-    [[nodiscard]] std::string where(const kernel::Violation& violation) const;
-    /// The surface. Throws kernel::FileError with the first violation, and for a mesh whose faces
-    /// are not coherently oriented unless asked to turn them over.
-    [[nodiscard]] kernel::Triangulation triangulation() const;
-    /// The surface as a halfedge table: one that a file gives as it stands, for others to judge;
-    /// else that of `triangulation`, which throws as that does.
-    [[nodiscard]] kernel::RawTable table() const;
-
-private:
-    struct Mesh {
-        geometry::TriangleSoup soup;
-        kernel::FaceListReading reading;
-    };
-
-    std::string path_;
-    InputOptions options_;
-    std::string format_;
-    std::variant<kernel::RawSurface, Mesh> content_;
+    /// What was mended, a line each; nothing where nothing was asked for.
+    void say_repairs(const Output& output) const;
+    /// Adds the key "repairs" of docs/formats.md where repairs were asked for.
+    void add_repairs(Json& json) const;
 };
 
 }  // namespace tightflip::tools

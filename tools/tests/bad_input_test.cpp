@@ -55,6 +55,11 @@ std::vector<Bad> bad_files() {
     const std::string ply = ply_header + points + "3 0 1 2\n";
     const std::string table =
         "tightflip-triangulation 1\nvertices 3\nhalfedges 6\n2 0\n5 1\n4 1\n1 2\n0 2\n3 0\nend\n";
+    const std::string surface =
+        replaced(replaced(table, "triangulation", "surface"), "end", "points 3\n" + points + "end");
+    const std::string glued =
+        replaced(ply_header, "end_header", "property list uchar int glued_sides\nend_header") +
+        points;
     std::string binary_stl(80, 'x');
     binary_stl += "\xff\xff\xff\xff" + std::string(50, '\0');
     std::vector<Bad> files{
@@ -85,6 +90,16 @@ std::vector<Bad> bad_files() {
         {"cut-table", table.substr(0, table.size() - 4), {"cut-table:"}},
         {"huge-table", replaced(table, "halfedges 6", "halfedges 2000000000"), {"huge-table:3: "}},
         {"more-table", table + "more\n", {"more-table:11: "}},
+        {"cut-surface", surface.substr(0, surface.size() - 4), {"cut-surface:"}},
+        {"nan-surface", replaced(surface, "1 0 0", "1 nan 0"), {"nan-surface:12: ", "finite"}},
+        {"points-surface", replaced(surface, "points 3", "points 2"), {"points-surface:10: "}},
+        {"huge-surface",
+         replaced(replaced(surface, "points 3", "points 2000000000"), "vertices 3",
+                  "vertices 2000000000"),
+         {"huge-surface:10: ", "2000000000"}},
+        {"sides.ply", glued + "3 0 1 2 3 -1 -1 3\n", {"sides.ply:14: ", "glued to 3"}},
+        {"short.ply", glued + "3 0 1 2 2 -1 -1\n", {"short.ply:14: ", "2 glued sides"}},
+        {"long.ply", glued + "3 0 1 2 4000000000 -1 -1 -1\n", {"long.ply:14: ", "glued side"}},
         {"version-table",
          replaced(table, "triangulation 1", "triangulation 7"),
          {"version-table:1: "}}};

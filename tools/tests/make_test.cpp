@@ -30,6 +30,35 @@ TEST_F(Make, EveryKindIsASurface) {
     }
 }
 
+TEST_F(Make, EveryDataSetIsASurfaceWithPoints) {
+    const Json about = run_json({"info"});
+    ASSERT_GE(about["data_sets"].size(), 5U);
+    for (const Json& set : about["data_sets"]) {
+        const std::string name = set["name"];
+        SCOPED_TRACE(name);
+        for (const auto& [extension, format] :
+             {std::pair{"", "tightflip-surface"}, {".ply", "ply"}, {".off", "off"}}) {
+            const std::string file = name + extension;
+            const Json made = run_json({"make", name, "--seed", "3", "-o", file});
+            EXPECT_EQ(made["kind"], name);
+            EXPECT_EQ(made["vertices"], set["default_vertices"]);
+            const Json seen = run_json({"check", file});
+            EXPECT_EQ(seen["valid"], true);
+            EXPECT_EQ(seen["format"], format);
+            for (const char* key : {"vertices", "edges", "faces", "genus"})
+                EXPECT_EQ(made[key], seen[key]) << key;
+        }
+    }
+}
+
+TEST_F(Make, DataSetsRefuseWhatTheyCannotHave) {
+    expect_unusable({"make", "twisted-prism", "--vertices", "10", "-o", "a"}, {"9, 12, 15"});
+    expect_unusable({"make", "cube-grid", "--vertices", "9", "-o", "a"}, {"8, 26, 56"});
+    expect_unusable({"make", "head-cap", "--genus", "1", "-o", "a"}, {"genus of a head-cap"});
+    expect_unusable({"make", "ellipsoid", "-o", "a.txt"}, {"a.txt"});
+    EXPECT_THAT(names(), IsEmpty());
+}
+
 TEST_F(Make, KindsAreWhatTheirNamesSay) {
     struct Case {
         std::vector<std::string> request;
@@ -117,8 +146,9 @@ TEST_F(Make, RefusesWhatAKindCannotHave) {
 TEST_F(Make, TheHelpNamesEveryKind) {
     const std::string help = run({"make", "--help"}).out;
     const Json about = run_json({"info"});
-    for (const Json& kind : about["kinds"]) {
-        EXPECT_THAT(help, ::testing::HasSubstr(kind["name"].get<std::string>()));
+    for (const char* list : {"kinds", "data_sets"}) {
+        for (const Json& kind : about[list])
+            EXPECT_THAT(help, ::testing::HasSubstr(kind["name"].get<std::string>()));
     }
 }
 

@@ -15,8 +15,9 @@ TEST_F(Usage, HelpAndVersionAreNoErrors) {
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_EQ(help.err, "");
     EXPECT_THAT(help.out, HasSubstr("Exit codes"));
-    for (const std::string verb : {"make", "check", "campaign", "flip", "replay", "explore", "path",
-                                   "verify", "canonical", "isomorphic", "info"}) {
+    for (const std::string verb :
+         {"make", "check", "campaign", "flip", "replay", "explore", "path", "verify", "canonical",
+          "isomorphic", "convert", "measure", "render", "info"}) {
         EXPECT_THAT(help.out, HasSubstr("\n  " + verb + " "));
         const Outcome of_verb = run({verb, "--help"});
         EXPECT_EQ(of_verb.exit_code, 0) << verb;
@@ -44,6 +45,14 @@ TEST_F(Usage, WrongUsageIsExplainedOnStandardErrorAlone) {
         {{"flip", "a"}, {"--script", "--edges"}},
         {{"flip", "a", "--edges", "1", "--script", "b"}, {"--script"}},
         {{"flip", "a", "--edges", "1", "-o", "b", "--log", "b"}, {"--log"}},
+        {{"measure"}, {"FILE"}},
+        {{"measure", "a", "b", "--ply", "c"}, {"FILE", "must be one"}},
+        {{"measure", "a", "--ply", "c", "--edges-csv", "c"}, {"--ply", "--edges-csv"}},
+        {{"render", "a"}, {"--output"}},
+        {{"render", "a", "-o", "a.png"}, {"a.png", ".svg"}},
+        {{"render", "a", "-o", "svg"}, {".svg"}},
+        {{"render", "a", "-o", "a.svg", "--style", "toon"}, {"--style", "wireframe"}},
+        {{"render", "a", "-o", "a.svg", "--colour", "pink"}, {"--colour", "curvature"}},
         {{"replay"}, {"LOG"}},
         {{"campaign", "a", "--vertices", "9"}, {"--vertices", "FILE"}}};
     for (const auto& [arguments, words] : cases) {
@@ -65,6 +74,9 @@ TEST_F(Usage, NumbersMustBeNumbersInTheirRange) {
         {{"make", "genus", "-o", "a", "--genus"}, {"-1", "one"}},
         {{"make", "random", "-o", "a", "--seed"}, {"-1"}},
         {{"flip", "a", "--edges"}, {"-1", "1,x", "1,-2", "99999999999"}},
+        {{"render", "a", "-o", "a.svg", "--view"},
+         {"30", "30,", ",20", "30,91", "30,20,1", "nan,0", "inf,0", "x,y", "30;20"}},
+        {{"render", "a", "-o", "a.svg", "--size"}, {"99", "10001", "big", "-5"}},
         {{"replay", "a", "--audit-every"}, {"-1", "0"}}};
     for (const auto& [arguments, values] : options) {
         for (const std::string& value : values) {

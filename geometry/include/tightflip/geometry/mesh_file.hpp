@@ -14,8 +14,8 @@
 ///   curves, `call`.
 /// - OFF: with any of ST, C, N before it, the keyword glued to or on the line of the counts;
 ///   refused: 4OFF, nOFF, BINARY.
-/// - PLY: ASCII and binary of both byte orders, extra elements and properties; refused: triangle
-///   strips.
+/// - PLY: ASCII and binary of both byte orders, extra elements and properties; the gluing where
+///   faces have the property `glued_sides` (docs/formats.md); refused: triangle strips.
 /// - STL: ASCII (several solids too) and binary; equal coordinates are one vertex, -0 equals 0.
 #pragma once
 

@@ -2,6 +2,8 @@
 /// Writes words and numbers as the formats have them, whatever a stream's locale and flags say.
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <concepts>
 #include <ostream>
 #include <string>
@@ -23,6 +25,14 @@ public:
     template <std::integral T>
     PlainWriter& operator<<(T number) {
         return *this << std::string_view(std::to_string(number));
+    }
+    /// The shortest digits that read back as the same number.
+    template <std::floating_point T>
+    PlainWriter& operator<<(T number) {
+        std::array<char, 32> digits;
+        const auto [end, error] = std::to_chars(digits.begin(), digits.end(), number);
+        return *this << std::string_view(digits.data(),
+                                         static_cast<std::size_t>(end - digits.begin()));
     }
 
 private:
