@@ -23,6 +23,14 @@ bool lies_between(const Point& apex, const Point& before, const Point& x, const 
            coplanar_side(apex, after, before, x) == Sign::positive;
 }
 
+/// Of the edge's two ends.
+const Point& nearer_end(const Hinge& hinge, const Point& x) {
+    const auto distance = [&](const Point& end) {
+        return (end * 0.5 - x * 0.5).cwiseAbs().maxCoeff();  // halves, lest it overflow
+    };
+    return distance(hinge.a) <= distance(hinge.b) ? hinge.a : hinge.b;
+}
+
 double signed_angle(EdgeShape shape, double angle) {
     switch (shape) {
         case EdgeShape::convex:
@@ -165,8 +173,9 @@ bool StarMeter::path_follows_cone() const {
 double exterior_angle(const Hinge& hinge, EdgeShape shape) {
     if (shape != EdgeShape::convex && shape != EdgeShape::concave) return signed_angle(shape, 0);
     const Point u = direction(hinge.a, hinge.b);
-    const Point p = direction(hinge.a, hinge.c);
-    const Point q = direction(hinge.a, hinge.d);
+    // From the nearer end, where the angle is not sharp: two long sides would lose the short one.
+    const Point p = direction(nearer_end(hinge, hinge.c), hinge.c);
+    const Point q = direction(nearer_end(hinge, hinge.d), hinge.d);
     const Point first = u.cross(p);
     const Point second = q.cross(u);
     // The cross product of the two normals is u times the determinant of u, p and q.
