@@ -144,8 +144,9 @@ EdgeLines::EdgeLines(const SurfaceView& projected)
             first, edges.end(), [&](const ParallelEdge& e) { return e.joins_the_same(*first); });
         const auto gaps = static_cast<double>(last - first - 1);
         const double step = gaps > 0 ? std::min(step_of_bows, most_of_bows / gaps) : 0;
-        for (double place = -gaps / 2; first != last; ++first, ++place) {
-            bows_[static_cast<std::size_t>(first->edge.id)] = place * step;
+        const double least = -gaps / 2 * step;
+        for (int place = 0; first != last; ++first, ++place) {
+            bows_[static_cast<std::size_t>(first->edge.id)] = least + place * step;
         }
     }
 }

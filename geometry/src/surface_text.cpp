@@ -15,7 +15,7 @@ Point parse_point(kernel::TextCursor& cursor, Index vertex) {
     const double y = cursor.number("the y coordinate");
     const double z = cursor.number("the z coordinate");
     cursor.require_end_of_line("a point's three coordinates");
-    const Point point(x, y, z);
+    Point point(x, y, z);
     if (!point.allFinite()) {
         cursor.fail("a coordinate of vertex " + std::to_string(vertex) +
                     " is not finite; repair the program or the data that it came from");

@@ -45,7 +45,7 @@ public:
         }
         if (!surface_.marked().is_valid()) {
             // The angles of the faces add up to pi each.
-            angles = pi * static_cast<double>(surface_.table().size() / 3);
+            angles = pi / 3 * static_cast<double>(surface_.table().size());
         }
         return 2 * positive - 2 * pi * full_turns + angles;
     }
