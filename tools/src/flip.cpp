@@ -23,9 +23,8 @@ struct Options {
 };
 
 /// The flips to do, as a log that starts from the file's surface.
-FlipLog planned(const Options& options) {
-    Triangulation start = SurfaceInput(options.file, options.input).triangulation();
-    FlipLog log{std::move(start), {}};
+FlipLog planned(const Options& options, const SurfaceInput& input) {
+    FlipLog log{input.triangulation(), {}};
     if (!options.script.empty()) {
         FlipLog script = kernel::parse_flip_log(kernel::read_file(options.script), options.script);
         if (script.start != log.start) {
@@ -40,6 +39,10 @@ FlipLog planned(const Options& options) {
     return log;
 }
 
+bool has_points(const SurfaceInput& input) {
+    return input.format() != "tightflip-triangulation" && input.format() != "tightflip-gluing";
+}
+
 /// Whether two names lead to one file, existing or not.
 bool same_file(const std::string& a, const std::string& b) {
     std::error_code ignored;
@@ -47,21 +50,31 @@ bool same_file(const std::string& a, const std::string& b) {
            std::filesystem::weakly_canonical(b, ignored);
 }
 
+/// The surface, with the points that the input has.
+void write_surface(const std::string& file, const SurfaceInput& input, const Triangulation& t) {
+    if (has_points(input)) {
+        const geometry::Surface start = input.surface();
+        return geometry::write_surface_file(file, {t.table(), start.points()});
+    }
+    kernel::write_file(file, [&](std::ostream& out) { write_text(out, t); });
+}
+
 /// The files asked for: both or, where one cannot be written, neither.
-void write(const Options& options, const FlipLog& log, const Triangulation& surface) {
-    const auto write_log = [&] {
-        if (options.log_file.empty()) return;
-        kernel::write_file(options.log_file, [&](std::ostream& out) { write_text(out, log); });
+void write(const Options& options, const SurfaceInput& input, const FlipLog& log,
+           const Triangulation& surface) {
+    const auto write_end = [&] {
+        if (!options.output_file.empty()) write_surface(options.output_file, input, surface);
     };
-    if (options.output_file.empty()) return write_log();
-    kernel::write_file(options.output_file, [&](std::ostream& out) {
-        write_text(out, surface);
-        if (out.flush()) write_log();  // before the surface takes its name
+    if (options.log_file.empty()) return write_end();
+    kernel::write_file(options.log_file, [&](std::ostream& out) {
+        write_text(out, log);
+        if (out.flush()) write_end();  // before the log takes its name
     });
 }
 
 Exit flip(const Output& output, const Options& options) {
-    const FlipLog log = planned(options);
+    const SurfaceInput input(options.file, options.input);
+    const FlipLog log = planned(options, input);
     const kernel::Replay result = replay(log);
     Json json{{"file", options.file},
               {"complete", result.is_complete()},
@@ -75,7 +88,7 @@ Exit flip(const Output& output, const Options& options) {
         output.object(json);
         return Exit::does_not_hold;
     }
-    write(options, log, result.surface);
+    write(options, input, log, result.surface);
     if (!options.output_file.empty()) json["output"] = options.output_file;
     if (!options.log_file.empty()) json["log"] = options.log_file;
     output.say(fmt::format("{}: {} flips done", options.file, result.done));
@@ -94,7 +107,9 @@ void add_flip(CLI::App& app, const Output& output, Action& action) {
                       ->delimiter(',')
                       ->check(whole_number());
     script->excludes(edges);
-    verb->add_option("-o,--output", options->output_file, "Write the flipped surface here");
+    verb->add_option("-o,--output", options->output_file,
+                     "Write the flipped surface here, with the points of a FILE that has some in "
+                     "the format of its extension (as make does)");
     verb->add_option("--log", options->log_file, "Write the flips as a log here");
     options->input.add_triangulate(*verb);
     options->input.add_reorient(*verb);

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -180,6 +182,11 @@ void add_measure(CLI::App& app, const Output& output, Action& action) {
             throw CLI::ValidationError("FILE", "must be one where values are written");
         }
         for (std::size_t i = 0; i < tables.size(); ++i) {
+            std::error_code none;  // files that do not exist are not the same
+            if (std::filesystem::equivalent(options->files.front(), options->outputs.at(i), none)) {
+                throw CLI::ValidationError(tables.at(i).option,
+                                           "must be another file than the surface");
+            }
             for (std::size_t j = 0; j < i; ++j) {
                 if (!options->outputs.at(i).empty() &&
                     options->outputs.at(i) == options->outputs.at(j)) {

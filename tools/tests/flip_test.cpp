@@ -109,5 +109,30 @@ TEST_F(Flip, TakesMeshes) {
     EXPECT_EQ(run_json({"flip", "mixed.off", "--edges", "0", "--reorient"})["complete"], true);
 }
 
+TEST_F(Flip, KeepsPointsWhereThereAreSome) {
+    const auto points = [&](const std::string& name) {
+        const std::string text = read(name);
+        return text.substr(text.find("points"));
+    };
+    run_json({"make", "skewed-cylinder", "--vertices", "12", "-o", "data"});
+    run_json({"flip", "data", "--edges", "1,6,7", "-o", "end"});
+    EXPECT_EQ(points("end"), points("data"));
+    const Json measured = run_json({"measure", "end"});
+    EXPECT_EQ(measured["vertices"], 12);
+    EXPECT_EQ(measured["concave_edges"], 1);
+
+    run_json({"flip", "data", "--edges", "1,6,7", "-o", "end.off"});
+    EXPECT_EQ(run_json({"isomorphic", "--labelled", "end", "end.off"})["isomorphic"], true);
+    EXPECT_EQ(run_json({"measure", "end.off"})["concave_edges"], 1);
+}
+
+TEST_F(Flip, WritesNothingWhereTheFormatCannotHoldTheSurface) {
+    write("a.off", samples::off(4, samples::tetrahedron));
+    for (const std::string name : {"end.off", "end.mesh"}) {  // with parallel edges; unknown
+        expect_unusable({"flip", "a.off", "--edges", "0", "-o", name, "--log", "log"}, {name});
+    }
+    EXPECT_THAT(names(), UnorderedElementsAre("start", "a.off"));
+}
+
 }  // namespace
 }  // namespace tightflip::tools
