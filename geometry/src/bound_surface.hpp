@@ -13,7 +13,7 @@ namespace tightflip::geometry {
 class BoundSurface {
 public:
     BoundSurface(const SurfaceView& surface, Vertex marked)
-        : surface_(surface), scaled_(surface.points), marked_(marked) {}
+        : surface_(surface), scaled_(surface.points, marked), marked_(marked) {}
 
     [[nodiscard]] const SurfaceView& view() const noexcept { return surface_; }
     [[nodiscard]] kernel::HalfedgeTable table() const noexcept { return surface_.table; }

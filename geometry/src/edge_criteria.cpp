@@ -24,7 +24,7 @@ struct NormalTurn {
         const Point q = h.d - h.a;
         const Point first = u.cross(p);
         const Point second = q.cross(u);
-        constexpr double thin = 1e-12;  // the square of a sine
+        constexpr double thin = 1e-8;  // the square of a sine
         const double u2 = u.squaredNorm();
         // The cross product of the normals is u times the determinant of u, p and q.
         sine = std::sqrt(u2) * std::abs(first.dot(q));
@@ -112,7 +112,8 @@ struct SlopeJump : PlainSum {
         const Point q = h.d - h.a;
         const double left = u.x() * p.y() - u.y() * p.x();
         const double right = u.x() * q.y() - u.y() * q.x();
-        return std::abs(u.cross(p).dot(q)) * u.head<2>().norm() / std::abs(left * right);
+        // In this order no product is much smaller than what it is divided by.
+        return std::abs(u.cross(p).dot(q) / left) * std::abs(u.head<2>().norm() / right);
     }
 };
 

@@ -23,7 +23,10 @@ struct Triangle {
         const Point& b = surface.scaled(f.b);
         const Point& c = surface.scaled(f.c);
         sides = {(c - b).squaredNorm(), (a - c).squaredNorm(), (b - a).squaredNorm()};
-        double_area = (b - a).cross(c - a).norm();
+        // Two long sides of a needle would lose its width, and each rotation of its corners another
+        // part of it.
+        const Point& near_c = sides[1] < sides[0] ? a : b;
+        double_area = (b - a).cross(c - near_c).norm();
     }
 };
 
@@ -38,7 +41,12 @@ struct Area : PlainMeasure {
     static constexpr int dimension = 2;
     double operator()(const BoundSurface& surface, const FaceCorners& f) const {
         const Point& a = surface.scaled(f.a);
-        return (surface.scaled(f.b) - a).cross(surface.scaled(f.c) - a).norm() / 2;
+        const Point u = surface.scaled(f.b) - a;
+        const Point v = surface.scaled(f.c) - a;
+        const double square = u.cross(v).squaredNorm();
+        constexpr double sharp = 1e-8;  // the square of a sine
+        if (square > sharp * u.squaredNorm() * v.squaredNorm()) return std::sqrt(square) / 2;
+        return Triangle(surface, f).double_area / 2;
     }
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace tightflip::geometry {
@@ -14,10 +15,13 @@ namespace tightflip::geometry {
 /// two, which changes no digit of any that counts.
 class ScaledPoints {
 public:
-    explicit ScaledPoints(Points points) : points_(points) {
+    /// The point of `left_out`, if there is one, is not to be used and has no say in the units.
+    explicit ScaledPoints(Points points, Vertex left_out = {}) : points_(points) {
         double extent = 0;
-        for (const Point& point : points)
-            extent = std::max(extent, point.cwiseAbs().maxCoeff());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (static_cast<Index>(i) == left_out.id) continue;
+            extent = std::max(extent, points[i].cwiseAbs().maxCoeff());
+        }
         if (extent == 0 || (extent > 0x1p-30 && extent < 0x1p30)) return;
         exponent_ = std::ilogb(extent);
         own_.assign(points.begin(), points.end());
@@ -31,9 +35,14 @@ public:
     ScaledPoints& operator=(const ScaledPoints&) = delete;
 
     [[nodiscard]] Points points() const noexcept { return points_; }
-    /// A measure of the given dimension in the units of the coordinates.
+    /// A measure of the given dimension in the units of the coordinates. Where it leaves the range
+    /// of doubles it is their largest or smallest, so that its sign stands and sums are no NaN.
     [[nodiscard]] double in_units(double value, int dimension) const {
-        return exponent_ == 0 ? value : std::ldexp(value, dimension * exponent_);
+        if (exponent_ == 0 || value == 0) return value;
+        const double size = std::ldexp(std::abs(value), dimension * exponent_);
+        return std::copysign(std::clamp(size, std::numeric_limits<double>::min(),
+                                        std::numeric_limits<double>::max()),
+                             value);
     }
 
 private:

@@ -21,7 +21,12 @@ public:
         if (extent > 0) exponent_ = std::clamp(std::ilogb(extent) + 2, -1000, 1000);
         unit_ = std::ldexp(1.0, -exponent_);
     }
-    [[nodiscard]] Point local(const Point& point) const { return point * unit_ - base_ * unit_; }
+    [[nodiscard]] Point local(const Point& point) const { return span(base_, point); }
+    /// From one point to another in these units; for near points by fewer roundings than between
+    /// their local coordinates.
+    [[nodiscard]] Point span(const Point& from, const Point& to) const {
+        return to * unit_ - from * unit_;
+    }
     /// A measure of the given dimension in the units of the coordinates.
     [[nodiscard]] double global(double value, int dimension) const {
         return std::ldexp(value, dimension * exponent_);
@@ -55,12 +60,19 @@ void measure_edges(const SurfaceView& surface, const Frame& frame, SurfaceMeasur
         const Hinge hinge = Hinge::at(surface, e);
         const EdgeShape shape = edge_shape(hinge);
         const double mean = exterior_angle(hinge, shape) / 2;
-        const double span = (frame.local(hinge.b) - frame.local(hinge.a)).stableNorm();
+        const double span = frame.span(hinge.a, hinge.b).stableNorm();
         sums.mean_absolute_curvature += std::abs(mean);
         sums.mean_absolute_curvature_weighted += std::abs(mean) * span;
         if (shape != EdgeShape::folded) sums.integral_mean_curvature += mean * span;
         ++sums.edge_shapes.at(static_cast<std::size_t>(shape));
     }
+}
+
+/// Of a face, by the shorter of two sides: two long ones of a needle would lose its width.
+double area(const Frame& frame, const Point& a, const Point& b, const Point& c) {
+    const Point ac = frame.span(a, c);
+    const Point bc = frame.span(b, c);
+    return frame.span(a, b).cross(ac.squaredNorm() < bc.squaredNorm() ? ac : bc).norm() / 2;
 }
 
 void measure_faces(const SurfaceView& surface, const Frame& frame, SurfaceMeasures& sums) {
@@ -69,11 +81,10 @@ void measure_faces(const SurfaceView& surface, const Frame& frame, SurfaceMeasur
         const Halfedge h1 = at(surface.table, h).next;
         const Halfedge h2 = at(surface.table, h1).next;
         if (h1 < h || h2 < h) continue;  // each face once, at its smallest halfedge
-        const Point a = frame.local(surface.origin(h));
+        sums.area += area(frame, surface.origin(h), surface.origin(h1), surface.origin(h2));
         const Point b = frame.local(surface.origin(h1));
         const Point c = frame.local(surface.origin(h2));
-        sums.area += (b - a).cross(c - a).norm() / 2;
-        sums.volume += a.dot(b.cross(c)) / 6;
+        sums.volume += frame.local(surface.origin(h)).dot(b.cross(c)) / 6;
     }
 }
 

@@ -325,6 +325,29 @@ TEST(EdgeCurvature, OfRegularSolids) {
     }
 }
 
+TEST(EdgeCurvature, OfNeedles) {
+    // Three orthogonal directions that are no axes: at right angles, whichever corner is far away.
+    const std::array<Point, 3> axis{Point(1, 2, 2), Point(2, 1, -2), Point(2, -2, 1)};
+    for (const double far : {1e4, 1e8, 1e12, 1e16, 1e40, 1e300}) {
+        const Point o = Point::Zero();
+        const std::array<Point, 3> near{axis};
+        const std::array<Hinge, 6> hinges{{{axis[0] * far, o, near[1], near[2]},
+                                           {o, axis[0] * far, near[1], near[2]},
+                                           {near[0], o, axis[1] * far, near[2]},
+                                           {o, near[0], near[1], axis[2] * far},
+                                           {near[0], o, axis[1] * far, axis[2] * far},
+                                           {axis[0] * far, o, axis[1] * far, near[2]}}};
+        for (const Hinge& h : hinges)
+            EXPECT_NEAR(std::abs(exterior_angle(h)), pi / 2, 1e-15) << far;
+    }
+    // One end far from one opposite corner, the other from the other.
+    const Point a = axis[0] * 1e12;
+    const Point by_a = a + axis[1];
+    const Point o = Point::Zero();
+    EXPECT_NEAR(std::abs(exterior_angle(Hinge{a, o, by_a, axis[2]})), pi / 2, 1e-15);
+    EXPECT_NEAR(std::abs(exterior_angle(Hinge{o, a, by_a, axis[2]})), pi / 2, 1e-15);
+}
+
 TEST(EdgeCurvature, OfFlatFoldedAndDegenerateEdges) {
     const auto angle_with = [](const Point& right) {
         const Surface surface = make_surface({{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}},

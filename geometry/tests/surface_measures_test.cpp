@@ -2,6 +2,7 @@
 #include <tightflip/geometry/mesh_file.hpp>
 #include <tightflip/geometry/surface_measures.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <numbers>
@@ -82,6 +83,22 @@ TEST(SurfaceMeasures, OfRegularSolidsByTheirFormulas) {
             EXPECT_EQ(found.count(side == 1 ? EdgeShape::convex : EdgeShape::concave), solid.edges);
             EXPECT_EQ(found.count(EdgeShape::flat),
                       surface.triangulation().edge_count() - solid.edges);
+        }
+    }
+}
+
+TEST(SurfaceMeasures, AreasOfNeedles) {
+    // A corner with three orthogonal edges, which are no axes, one of them very long; the area of
+    // the face opposite the corner is the root of the squares of the others (de Gua).
+    for (const double far : {1.0, 1e8, 1e16, 1e40, 1e100}) {
+        std::vector<Point> points{
+            {0, 0, 0}, Point(1, 2, 2) / 3 * far, Point(2, 1, -2) / 3, Point(2, -2, 1) / 3};
+        const double expected = far + 0.5 + std::sqrt(2 * far * far + 1) / 2;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Surface surface =
+                make_surface({{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}, points);
+            EXPECT_NEAR(measure(surface.view()).area, expected, 1e-14 * expected);
+            std::ranges::rotate(points, points.begin() + 1);
         }
     }
 }

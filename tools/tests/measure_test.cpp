@@ -112,7 +112,7 @@ TEST_F(Measure, RefusesWhatHasNoPointsOrIsNoSurfaceAndGoesOn) {
     expect_unusable({"measure", "open.off"}, {"open.off:6"});
     expect_unusable({"measure", "sphere", "--ply", "a.ply"}, {"sphere"});
     expect_unusable({"measure", "a.off", "--ply", "missing/a.ply"}, {"missing/a.ply"});
-    expect_unusable({"measure", "a.off", "--vertices-csv", "./a.off"}, {"--vertices-csv"});
+    expect_wrong_usage({"measure", "a.off", "--vertices-csv", "./a.off"}, {"--vertices-csv"});
     EXPECT_THAT(read("a.off"), StartsWith("OFF"));
     const Outcome all = run({"measure", "--json", "sphere", "a.off"});
     EXPECT_EQ(all.exit_code, 2);

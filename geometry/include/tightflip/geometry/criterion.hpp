@@ -63,6 +63,7 @@ struct CriterionInfo {
     bool has_exact_sign = false;   ///< the sign of each change is exact, and 0 means 0
 };
 
+// clang-format off
 /// All criteria, in the order of their kinds.
 ///
 /// | name           | minimises |
@@ -72,17 +73,15 @@ struct CriterionInfo {
 /// | mean_weighted  | the sum of \|H(e)\| times the length of e |
 /// | area           | the area (O'Rourke 1981) |
 /// | edge_length    | the sum of the lengths of the edges |
-/// | volume         | minus the signed volume: what flipping concave edges lowers, and nothing else
-/// | | abn            | the angles between normals, summed over the edges (Dyn, Levin and Rippa
-/// 1990); twice H_abs | | abn_squares    | the squares of these angles, summed | | delaunay       |
-/// first the number of faces without area, then the cotangents of all angles: in a plane, flips
-/// lower it exactly where two opposite angles exceed pi together (Musin 1997) | | min_angle      |
-/// pi/3 less the smallest angle of a face, summed over the faces | | jnd            | the jumps of
-/// the normal derivative across the edges, summed (Dyn, Levin and Rippa 1990) | | delaunay_plane |
-/// the volume under the points lifted to z = x^2 + y^2, which the Delaunay triangulation minimises
-/// (Rippa 1992) | | bending        | the energy of a thin plate, the integral of f_xx^2 + 2 f_xy^2
-/// + f_yy^2 over the cubic patches that heights and gradients at the vertices give (Quak and
-/// Schumaker 1990); the gradients are estimated once, from the surface the criterion is made for |
+/// | volume         | minus the signed volume: what flipping concave edges lowers, and nothing else |
+/// | abn            | the angles between normals, summed over the edges (Dyn, Levin and Rippa 1990); twice H_abs |
+/// | abn_squares    | the squares of these angles, summed |
+/// | delaunay       | first the number of faces without area, then the cotangents of all angles: in a plane, flips lower it exactly where two opposite angles exceed pi together (Musin 1997) |
+/// | min_angle      | pi/3 less the smallest angle of a face, summed over the faces |
+/// | jnd            | the jumps of the normal derivative across the edges, summed (Dyn, Levin and Rippa 1990) |
+/// | delaunay_plane | the volume under the points lifted to z = x^2 + y^2, which the Delaunay triangulation minimises (Rippa 1992) |
+/// | bending        | the energy of a thin plate, the integral of f_xx^2 + 2 f_xy^2 + f_yy^2 over the cubic patches that heights and gradients at the vertices give (Quak and Schumaker 1990); the gradients are estimated once, from the surface the criterion is made for |
+// clang-format on
 [[nodiscard]] std::span<const CriterionInfo> all_criteria();
 
 [[nodiscard]] const CriterionInfo& info(CriterionKind kind);
