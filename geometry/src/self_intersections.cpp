@@ -1,6 +1,7 @@
 #include "box_tree.hpp"
 #include "star_pairs.hpp"
 #include "surface_face.hpp"
+#include <tightflip/geometry/exact_predicates.hpp>
 #include <tightflip/geometry/self_intersections.hpp>
 #include <tightflip/kernel/flip.hpp>
 
@@ -16,6 +17,21 @@ Box box_of(const Triangle& triangle) {
 
 bool is_name_of_face(kernel::HalfedgeTable table, Halfedge h) {
     return name_of_face(table, h) == h;
+}
+
+bool is_collapsed(const SurfaceFace& face) {
+    const auto& [a, b, c] = face.triangle;
+    return are_collinear(a, b, c);
+}
+
+std::int64_t count_collapsed(const SurfaceView& surface) {
+    std::int64_t count = 0;
+    for (Index id = 0; id < static_cast<Index>(surface.table.size()); ++id) {
+        const Halfedge h{id};
+        if (!is_name_of_face(surface.table, h)) continue;
+        count += is_collapsed(SurfaceFace::at(surface, h)) ? 1 : 0;
+    }
+    return count;
 }
 
 /// Shows each pair of faces that meets beyond what it shares and has a common vertex once, at the
@@ -108,13 +124,15 @@ SelfIntersections find_self_intersections(const SurfaceView& surface, std::size_
     };
     (void)any_local_pair(surface, [&](Halfedge f, Halfedge g) { return add(f, g, true); });
     (void)any_global_pair(surface, [&](Halfedge f, Halfedge g) { return add(f, g, false); });
+    result.collapsed_count = count_collapsed(surface);
     result.pairs = first_pairs.take();
     return result;
 }
 
 bool is_embedded(const SurfaceView& surface) {
     const auto first = [](Halfedge, Halfedge) { return true; };
-    return !any_local_pair(surface, first) && !any_global_pair(surface, first);
+    return count_collapsed(surface) == 0 && !any_local_pair(surface, first) &&
+           !any_global_pair(surface, first);
 }
 
 bool flip_keeps_embedded(const SurfaceView& surface, Edge e) {
@@ -129,7 +147,7 @@ bool flip_keeps_embedded(const SurfaceView& surface, Edge e) {
     const SurfaceFace cdb = SurfaceFace::of(surface, {c, d, b}, {e, edge_of(q.t2), edge_of(q.h1)});
     const Box box_a = box_of(dca.triangle);
     const Box box_b = box_of(cdb.triangle);
-    if (meets(dca, box_a, cdb)) return false;
+    if (is_collapsed(dca) || is_collapsed(cdb) || meets(dca, box_a, cdb)) return false;
     const Halfedge old_first = name_of_face(surface.table, q.h);
     const Halfedge old_second = name_of_face(surface.table, q.t);
     for (Index id = 0; id < static_cast<Index>(surface.table.size()); ++id) {

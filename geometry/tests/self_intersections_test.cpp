@@ -3,6 +3,7 @@
 #include "common_points.hpp"
 #include "reading.hpp"
 #include "self_intersecting_shapes.hpp"
+#include <tightflip/geometry/exact_predicates.hpp>
 #include <tightflip/geometry/mesh_file.hpp>
 #include <tightflip/geometry/self_intersections.hpp>
 
@@ -92,8 +93,13 @@ void expect_pairs(const Surface& surface, const std::vector<FacePair>& expected)
     const auto local = std::ranges::count_if(expected, &FacePair::is_local);
     EXPECT_EQ(found.local_count, local);
     EXPECT_EQ(found.global_count, static_cast<std::int64_t>(expected.size()) - local);
-    EXPECT_EQ(found.is_embedded(), expected.empty());
-    EXPECT_EQ(is_embedded(surface.view()), expected.empty());
+    const auto collapsed = std::ranges::count_if(surface.triangulation().faces(), [&](Halfedge h) {
+        const SurfaceView view = surface.view();
+        return are_collinear(view.origin(h), view.target(h), view.opposite(h));
+    });
+    EXPECT_EQ(found.collapsed_count, collapsed);
+    EXPECT_EQ(found.is_embedded(), expected.empty() && collapsed == 0);
+    EXPECT_EQ(is_embedded(surface.view()), expected.empty() && collapsed == 0);
 }
 
 TEST(SelfIntersections, AreThoseOfTheDefinitionOnSmallGrids) {
@@ -201,6 +207,26 @@ TEST(SelfIntersections, KnownCounts) {
                                       {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 0}});
     EXPECT_EQ(find_self_intersections(flat.view()).local_count, 3);
     EXPECT_EQ(find_self_intersections(flat.view()).global_count, 0);
+}
+
+TEST(SelfIntersections, AFaceOfZeroAreaIsNotEmbedded) {
+    // A tetrahedron at one point, whose faces share all there is of them, and one on a line.
+    const Surface solid = regular_tetrahedron();
+    for (const Point& axis : {Point(0, 0, 0), Point(1, 2, 3)}) {
+        std::vector<Point> points;
+        for (int i = 0; i < 4; ++i)
+            points.emplace_back(i * axis);
+        const Surface collapsed(solid.triangulation(), points);
+        EXPECT_EQ(find_self_intersections(collapsed.view()).collapsed_count, 4);
+        EXPECT_FALSE(find_self_intersections(collapsed.view()).is_embedded());
+        EXPECT_FALSE(is_embedded(collapsed.view()));
+    }
+    // A flip that lays a face along a line: the midpoint of an edge as a third corner.
+    const Surface surface =
+        make_surface({{0, 2, 1}, {0, 1, 3}, {0, 3, 4}, {0, 4, 2}, {1, 2, 4}, {1, 4, 3}},
+                     {{0, 0, 0}, {2, 0, 1}, {0, 2, 0}, {0, 0, 2}, {0, 1, 1}});
+    ASSERT_TRUE(is_embedded(surface.view()));
+    EXPECT_FALSE(flip_keeps_embedded(surface.view(), edge_between(surface, 0, 4)));
 }
 
 TEST(SelfIntersections, AFlipIsJudgedAsTheSurfaceAfterIt) {

@@ -7,7 +7,7 @@
 /// it only where it is folded, but two faces at parallel edges always do, for straight parallel
 /// edges coincide; two faces with the same three corners always do. A pair is local where the faces
 /// have a vertex in common, and global otherwise. A face of zero area is the segment or point that
-/// its corners span, and leads to such pairs among its neighbours.
+/// its corners span; such a face is counted for itself, for it may meet nothing beyond what it shares.
 #pragma once
 
 #include <tightflip/geometry/surface.hpp>
@@ -29,10 +29,13 @@ struct FacePair {
 struct SelfIntersections {
     std::int64_t local_count = 0;
     std::int64_t global_count = 0;
-    /// The first ones in ascending order, as many as were asked for.
+    std::int64_t collapsed_count = 0;  ///< faces of zero area
+    /// The first pairs in ascending order, as many as were asked for.
     std::vector<FacePair> pairs;
 
-    [[nodiscard]] bool is_embedded() const noexcept { return local_count + global_count == 0; }
+    [[nodiscard]] bool is_embedded() const noexcept {
+        return local_count + global_count + collapsed_count == 0;
+    }
 };
 
 /// Whether two different faces, each given by any of its sides, meet beyond what they share.
@@ -45,8 +48,8 @@ struct SelfIntersections {
 [[nodiscard]] SelfIntersections find_self_intersections(const SurfaceView& surface,
                                                         std::size_t kept = 1000);
 
-/// Whether no two faces meet beyond what they share: then the surface lies in space without
-/// self-intersection. Stops at the first pair.
+/// Whether no two faces meet beyond what they share and none has zero area: then the surface lies in
+/// space without self-intersection. Stops at the first pair.
 [[nodiscard]] bool is_embedded(const SurfaceView& surface);
 
 /// For an embedded surface, whether it is still embedded after the flip of `e`; false where that
