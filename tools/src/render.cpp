@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "png.hpp"
 #include "surface_input.hpp"
 #include <tightflip/geometry/drawing.hpp>
 #include <tightflip/kernel/file_io.hpp>
@@ -8,6 +9,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -45,18 +48,22 @@ CLI::Option* add_choice(CLI::App& verb, const std::string& option, Value& value,
         ->check(CLI::IsMember(words));
 }
 
-bool is_svg(const std::string& name) {
-    const std::string extension = std::filesystem::path(name).extension().string();
-    return CLI::detail::to_lower(extension) == ".svg";
+bool has_extension(const std::string& name, std::string_view extension) {
+    return CLI::detail::to_lower(std::filesystem::path(name).extension().string()) == extension;
+}
+
+std::string picture_of(const geometry::Surface& surface, const Options& options) {
+    std::ostringstream svg;
+    geometry::write_svg(svg, surface.view(), options.drawing);
+    return has_extension(options.output_file, ".png") ? png_of(svg.str()) : svg.str();
 }
 
 Exit render(const Output& output, const Options& options) {
     const SurfaceInput input(options.file, options.input);
     const geometry::Surface surface = input.surface();
     const kernel::Triangulation& t = surface.triangulation();
-    kernel::write_file(options.output_file, [&](std::ostream& out) {
-        geometry::write_svg(out, surface.view(), options.drawing);
-    });
+    const std::string picture = picture_of(surface, options);
+    kernel::write_file(options.output_file, [&](std::ostream& out) { out << picture; });
     output.say(fmt::format("{}: {} vertices, {} edges, {} faces, drawn in {}", options.file,
                            t.vertex_count(), t.edge_count(), t.face_count(), options.output_file));
     output.object({{"file", options.file},
@@ -75,9 +82,10 @@ Exit render(const Output& output, const Options& options) {
 void add_render(CLI::App& app, const Output& output, Action& action) {
     auto options = std::make_shared<Options>();
     geometry::DrawingOptions& drawing = options->drawing;
-    CLI::App* verb = app.add_subcommand("render", "Draw a surface as SVG");
+    CLI::App* verb = app.add_subcommand("render", "Draw a surface as SVG or PNG");
     verb->add_option("FILE", options->file, "Surface or mesh with points")->required();
-    verb->add_option("-o,--output", options->output_file, "Picture to write, .svg")->required();
+    verb->add_option("-o,--output", options->output_file, "Picture to write, .svg or .png")
+        ->required();
     verb->add_option_function<std::string>(
             "--view",
             [&drawing](const std::string& text) {
@@ -111,11 +119,10 @@ void add_render(CLI::App& app, const Output& output, Action& action) {
     options->input.add_triangulate(*verb);
     options->input.add_reorient(*verb);
     verb->callback([&output, &action, options, hidden] {
-        if (!is_svg(options->output_file)) {
+        if (!has_extension(options->output_file, ".svg") &&
+            !has_extension(options->output_file, ".png")) {
             throw CLI::ValidationError(
-                "--output", fmt::format("'{}' must end in .svg: pictures are SVG (browsers show "
-                                        "them; rsvg-convert or inkscape make PNG of them)",
-                                        options->output_file));
+                "--output", fmt::format("'{}' must end in .svg or .png", options->output_file));
         }
         if (hidden->count() == 0) {
             options->drawing.hidden_edges = options->drawing.style == DrawingStyle::wireframe;

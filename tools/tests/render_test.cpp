@@ -2,6 +2,8 @@
 #include "documented_keys.hpp"
 #include "samples.hpp"
 
+#include <cstdlib>
+
 namespace tightflip::tools {
 namespace {
 
@@ -59,6 +61,27 @@ TEST_F(Render, AWireframeHasHiddenEdgesAndNoFaces) {
     const std::string shaded = picture({"--hidden-edges"});
     EXPECT_THAT(shaded, HasSubstr("class=\"hidden convex\""));
     EXPECT_THAT(shaded, HasSubstr("class=\"faces\""));
+}
+
+TEST_F(Render, WritesPng) {
+    if (std::system("command -v rsvg-convert >/dev/null") != 0) {
+        GTEST_SKIP() << "rsvg-convert (Debian: librsvg2-bin) is not installed";
+    }
+    EXPECT_EQ(run_json({"render", "a.off", "-o", "a.png", "--size", "300"})["output"], "a.png");
+    const std::string png = read("a.png");
+    ASSERT_GT(png.size(), 1000U);
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    // The width stands in bytes 16 to 19, the high one first.
+    EXPECT_EQ(static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]), 300);
+    EXPECT_THAT(names(), UnorderedElementsAre("a.off", "a.png"));
+}
+
+TEST_F(Render, SaysWhatPngNeeds) {
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", "/nowhere", 1);
+    expect_unusable({"render", "a.off", "-o", "a.png"}, {"rsvg-convert", "librsvg2-bin", ".svg"});
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_THAT(names(), UnorderedElementsAre("a.off"));
 }
 
 TEST_F(Render, RefusesWhatItCannotDrawAndLeavesWhatWasThere) {

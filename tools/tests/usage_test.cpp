@@ -49,7 +49,7 @@ TEST_F(Usage, WrongUsageIsExplainedOnStandardErrorAlone) {
         {{"measure", "a", "b", "--ply", "c"}, {"FILE", "must be one"}},
         {{"measure", "a", "--ply", "c", "--edges-csv", "c"}, {"--ply", "--edges-csv"}},
         {{"render", "a"}, {"--output"}},
-        {{"render", "a", "-o", "a.png"}, {"a.png", ".svg"}},
+        {{"render", "a", "-o", "a.gif"}, {"a.gif", ".svg", ".png"}},
         {{"render", "a", "-o", "svg"}, {".svg"}},
         {{"render", "a", "-o", "a.svg", "--style", "toon"}, {"--style", "wireframe"}},
         {{"render", "a", "-o", "a.svg", "--colour", "pink"}, {"--colour", "curvature"}},
