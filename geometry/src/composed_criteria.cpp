@@ -11,9 +11,18 @@
 namespace tightflip::geometry {
 namespace {
 
+/// Whether one of several criteria depends on stars.
+template <class Parts>
+bool any_depends_on_stars(const Parts& parts) {
+    return std::ranges::any_of(parts,
+                               [](const auto& part) { return part.criterion->depends_on_stars(); });
+}
+
 class WeightedSum final : public Criterion {
 public:
     explicit WeightedSum(std::vector<WeightedCriterion> terms) : terms_(std::move(terms)) {}
+
+    [[nodiscard]] bool depends_on_stars() const override { return any_depends_on_stars(terms_); }
 
     [[nodiscard]] std::size_t level_count() const override {
         std::size_t count = 1;
@@ -55,6 +64,7 @@ public:
         }
     }
 
+    [[nodiscard]] bool depends_on_stars() const override { return any_depends_on_stars(ranks_); }
     [[nodiscard]] std::size_t level_count() const override {
         std::size_t count = 0;
         for (const RankedCriterion& rank : ranks_)

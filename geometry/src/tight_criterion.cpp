@@ -27,6 +27,8 @@ public:
         }
     }
 
+    [[nodiscard]] bool depends_on_stars() const override { return true; }
+
     [[nodiscard]] Energy value() const override {
         const StarCones cones(surface_.view());
         double positive = 0;

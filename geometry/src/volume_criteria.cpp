@@ -60,6 +60,8 @@ public:
         if constexpr (Volume::needs_heights) require_height_field(surface_, name);
     }
 
+    [[nodiscard]] bool has_exact_sign() const override { return true; }
+
     [[nodiscard]] Energy value() const override {
         double sum = 0;
         if (surface_.view().points.empty()) return sum;

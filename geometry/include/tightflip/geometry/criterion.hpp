@@ -26,6 +26,12 @@ public:
     /// How many levels of an Energy it uses, from the first on.
     [[nodiscard]] virtual std::size_t level_count() const { return 1; }
 
+    /// Whether the sign of each change is exact, and 0 means none.
+    [[nodiscard]] virtual bool has_exact_sign() const { return false; }
+    /// What a flip can change about the changes of other edges: those of all edges with a corner in
+    /// common with its faces, or only those at the faces beside them.
+    [[nodiscard]] virtual bool depends_on_stars() const { return false; }
+
     /// The value of the surface as it is now, from scratch; linear time.
     [[nodiscard]] virtual Energy value() const = 0;
 

@@ -20,7 +20,9 @@ struct SurfaceMeasures {
     /// The sum of H(e) times the length of e; folded edges, which have no sign, are left out.
     double integral_mean_curvature = 0;
     double area = 0;
-    double volume = 0;  ///< positive where the faces are counter-clockwise seen from outside
+    /// Positive where the faces are counter-clockwise seen from outside; up to roundings of the cube
+    /// of the extent, beside which a small volume may have any sign.
+    double volume = 0;
     Index euler_characteristic = 0;
 
     std::array<Index, 4> vertex_types{};  ///< how many vertices are of each VertexType
