@@ -7,7 +7,8 @@
 /// it only where it is folded, but two faces at parallel edges always do, for straight parallel
 /// edges coincide; two faces with the same three corners always do. A pair is local where the faces
 /// have a vertex in common, and global otherwise. A face of zero area is the segment or point that
-/// its corners span; such a face is counted for itself, for it may meet nothing beyond what it shares.
+/// its corners span; such a face is counted for itself, as it may meet nothing beyond what it
+/// shares.
 #pragma once
 
 #include <tightflip/geometry/surface.hpp>
