@@ -49,8 +49,8 @@ struct SelfIntersections {
 [[nodiscard]] SelfIntersections find_self_intersections(const SurfaceView& surface,
                                                         std::size_t kept = 1000);
 
-/// Whether no two faces meet beyond what they share and none has zero area: then the surface lies in
-/// space without self-intersection. Stops at the first pair.
+/// Whether no two faces meet beyond what they share and none has zero area: then the surface lies
+/// in space without self-intersection. Stops at the first pair.
 [[nodiscard]] bool is_embedded(const SurfaceView& surface);
 
 /// For an embedded surface, whether it is still embedded after the flip of `e`; false where that

@@ -20,8 +20,8 @@ struct SurfaceMeasures {
     /// The sum of H(e) times the length of e; folded edges, which have no sign, are left out.
     double integral_mean_curvature = 0;
     double area = 0;
-    /// Positive where the faces are counter-clockwise seen from outside; up to roundings of the cube
-    /// of the extent, beside which a small volume may have any sign.
+    /// Positive where the faces are counter-clockwise seen from outside; up to roundings of the
+    /// cube of the extent, beside which a small volume may have any sign.
     double volume = 0;
     Index euler_characteristic = 0;
 
