@@ -2,6 +2,7 @@
 /// Pairs among many boxes that meet.
 #pragma once
 
+#include "cone_box.hpp"
 #include <tightflip/geometry/surface.hpp>
 
 #include <algorithm>
@@ -10,17 +11,15 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 namespace tightflip::geometry {
 
-using Box = Eigen::AlignedBox3d;
-
-/// Boxes in a balanced binary tree, split at the median along the longest side.
+/// Boxes in a balanced binary tree, split at the median along the longest side of their middles.
 ///
 /// An item has up to three tags, and items with a common tag make no pair. A node knows which tags
 /// all its items have, so that the items about one tag (the faces at a vertex of high degree, whose
-/// boxes all meet) are passed over together.
+/// boxes all meet) are passed over together. Where the tags are corners and their points are known,
+/// such a node is bounded by the hull of that corner and a box of the others, so that the faces
+/// about two such vertices are told apart as well.
 class BoxTree {
 public:
     static constexpr Index no_tag = -1;
@@ -35,8 +34,10 @@ public:
     /// What to fill before `build`, and what it reorders.
     [[nodiscard]] std::vector<Item>& items() noexcept { return items_; }
 
-    /// O(n log n) for n items; allocates only where n is larger than ever before.
-    void build() {
+    /// O(n log n) for n items; allocates only where n is larger than ever before. With points, each
+    /// item is the hull of those of its tags.
+    void build(Points points = {}) {
+        points_ = points;
         nodes_.clear();
         if (!items_.empty()) build(0, items_.size());
     }
@@ -58,6 +59,8 @@ private:
         std::size_t begin;
         std::size_t end;
         std::size_t right;  ///< the second child; the first is the next node; 0 for a leaf
+        bool is_cone;       ///< whether the bound is better than the box
+        ConeBox bound;
     };
 
     [[nodiscard]] static bool has(const Tags& tags, Index tag) {
@@ -71,18 +74,21 @@ private:
     }
 
     std::size_t build(std::size_t begin, std::size_t end) {
-        Node node{items_[begin].box, items_[begin].tags, begin, end, 0};
-        for (std::size_t i = begin + 1; i < end; ++i) {
+        Node node{items_[begin].box, items_[begin].tags, begin, end, 0, false, {}};
+        Box middles;
+        for (std::size_t i = begin; i < end; ++i) {
+            middles.extend(ConeBox::middle(items_[i].box));
             node.box.extend(items_[i].box);
             for (Index& tag : node.tags) {
                 if (!has(items_[i].tags, tag)) tag = no_tag;
             }
         }
+        bound(node);
         const std::size_t place = nodes_.size();
         nodes_.push_back(node);
         if (end - begin <= leaf_size) return place;
         Eigen::Index axis = 0;
-        (node.box.max() - node.box.min()).maxCoeff(&axis);
+        (middles.max() * 0.5 - middles.min() * 0.5).maxCoeff(&axis);
         const std::size_t middle = begin + (end - begin) / 2;
         const auto first = items_.begin();
         std::nth_element(
@@ -94,6 +100,25 @@ private:
         build(begin, middle);
         nodes_[place].right = build(middle, end);
         return place;
+    }
+
+    /// By the hull of a common corner and the others, where there is one.
+    void bound(Node& node) const {
+        node.bound = ConeBox::of(node.box);
+        const auto common =
+            std::ranges::find_if(node.tags, [](Index tag) { return tag != no_tag; });
+        if (points_.empty() || common == node.tags.end()) return;
+        node.is_cone = true;
+        node.bound = {points_[static_cast<std::size_t>(*common)], {}};
+        for (std::size_t i = node.begin; i < node.end; ++i) {
+            for (const Index tag : items_[i].tags) {
+                if (tag != *common) node.bound.far.extend(points_[static_cast<std::size_t>(tag)]);
+            }
+        }
+    }
+
+    [[nodiscard]] static bool may_pair_between(const Node& a, const Node& b) {
+        return may_pair(a, b) && !((a.is_cone || b.is_cone) && are_separated(a.bound, b.bound));
     }
 
     template <class IsEnough>
@@ -119,7 +144,7 @@ private:
     bool any_pair_between(std::size_t a, std::size_t b, const IsEnough& is_enough) const {
         const Node& left = nodes_[a];
         const Node& right = nodes_[b];
-        if (!may_pair(left, right)) return false;
+        if (!may_pair_between(left, right)) return false;
         if (left.right == 0 && right.right == 0) return any_pair_of_leaves(left, right, is_enough);
         if (right.right == 0 ||
             (left.right != 0 && left.end - left.begin > right.end - right.begin)) {
@@ -144,6 +169,7 @@ private:
 
     std::vector<Item> items_;
     std::vector<Node> nodes_;
+    Points points_;
 };
 
 }  // namespace tightflip::geometry

@@ -65,7 +65,7 @@ bool any_global_pair(const SurfaceView& surface, const IsEnough& is_enough) {
         const auto& [a, b, c] = face.corners;
         tree.items().push_back({box_of(face.triangle), {a.id, b.id, c.id}, id});
     }
-    tree.build();
+    tree.build(surface.points);
     return tree.any_pair([&](Index f, Index g) {
         return triangles_meet(SurfaceFace::at(surface, Halfedge{f}).triangle,
                               SurfaceFace::at(surface, Halfedge{g}).triangle) &&

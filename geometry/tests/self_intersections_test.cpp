@@ -8,8 +8,10 @@
 #include <tightflip/geometry/self_intersections.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <ostream>
 #include <set>
@@ -148,11 +150,14 @@ TEST(SelfIntersections, AreFoundAmongManyFaces) {
 
 /// Where every predicate needs exact arithmetic.
 TEST(SelfIntersections, AreFoundAtAnyScale) {
-    const Surface surface = with_random_points(kernel::families::random(9, 0, 4), 1);
-    const auto expected = find_self_intersections(surface.view());
-    ASSERT_GT(expected.local_count, 0);
-    for (const int exponent : {1000, -1000}) {
-        EXPECT_EQ(find_self_intersections(scaled(surface, exponent).view()).pairs, expected.pairs);
+    for (const Surface& surface : {with_random_points(kernel::families::random(9, 0, 4), 1),
+                                   with_random_points(kernel::families::double_wheel(14), 2)}) {
+        const auto expected = find_self_intersections(surface.view());
+        ASSERT_GT(expected.local_count + expected.global_count, 0);
+        for (const int exponent : {1000, 330, -330, -1000}) {
+            EXPECT_EQ(find_self_intersections(scaled(surface, exponent).view()).pairs,
+                      expected.pairs);
+        }
     }
 }
 
@@ -207,6 +212,18 @@ TEST(SelfIntersections, KnownCounts) {
                                       {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 0}});
     EXPECT_EQ(find_self_intersections(flat.view()).local_count, 3);
     EXPECT_EQ(find_self_intersections(flat.view()).global_count, 0);
+}
+
+// Needles about two opposite vertices, whose boxes all meet.
+TEST(SelfIntersections, TwoHubsOfHighDegreeTakeLittleTime) {
+    const Index rim = 60000;
+    std::vector<Point> points{{0, 0, 1}, {0, 0, -1}};
+    for (Index i = 0; i < rim; ++i) {
+        const double angle = 2 * std::numbers::pi * i / rim;
+        points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    const Surface surface(kernel::families::double_wheel(rim + 2), std::move(points));
+    EXPECT_TRUE(is_embedded(surface.view()));
 }
 
 TEST(SelfIntersections, AFaceOfZeroAreaIsNotEmbedded) {
