@@ -42,6 +42,7 @@ struct Energy {
     friend constexpr Energy operator-(const Energy& a, const Energy& b) noexcept {
         return a + -1.0 * b;
     }
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the ordering's 0 for a pointer
     friend constexpr auto operator<=>(const Energy&, const Energy&) noexcept = default;
     friend constexpr bool operator==(const Energy&, const Energy&) noexcept = default;
 };
