@@ -112,18 +112,21 @@ bool faces_meet(const SurfaceView& surface, Halfedge f, Halfedge g) {
     return meet_beyond_shared(first, second, common_corners(first, second));
 }
 
-SelfIntersections find_self_intersections(const SurfaceView& surface, std::size_t kept) {
+SelfIntersections find_self_intersections(const SurfaceView& surface, std::size_t kept,
+                                          std::int64_t most_counted) {
     SelfIntersections result;
     FirstPairs first_pairs(kept);
     const auto add = [&](Halfedge f, Halfedge g, bool is_local) {
+        if (result.local_count + result.global_count >= most_counted) return true;
         ++(is_local ? result.local_count : result.global_count);
         const auto [first, second] =
             std::minmax({name_of_face(surface.table, f), name_of_face(surface.table, g)});
         first_pairs.add({first, second, is_local});
         return false;
     };
-    (void)any_local_pair(surface, [&](Halfedge f, Halfedge g) { return add(f, g, true); });
-    (void)any_global_pair(surface, [&](Halfedge f, Halfedge g) { return add(f, g, false); });
+    result.is_complete = !any_local_pair(surface, [&](Halfedge f, Halfedge g) {
+        return add(f, g, true);
+    }) && !any_global_pair(surface, [&](Halfedge f, Halfedge g) { return add(f, g, false); });
     result.collapsed_count = count_collapsed(surface);
     result.pairs = first_pairs.take();
     return result;

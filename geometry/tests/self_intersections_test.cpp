@@ -214,6 +214,23 @@ TEST(SelfIntersections, KnownCounts) {
     EXPECT_EQ(find_self_intersections(flat.view()).global_count, 0);
 }
 
+TEST(SelfIntersections, CountingStopsWhereAsked) {
+    const Surface surface = with_random_points(kernel::families::random(40, 0, 4), 1);
+    const auto all = find_self_intersections(surface.view());
+    ASSERT_TRUE(all.is_complete);
+    ASSERT_GT(all.global_count, 10);
+    const auto count = all.local_count + all.global_count;
+    const auto exactly = find_self_intersections(surface.view(), 0, count);
+    EXPECT_TRUE(exactly.is_complete);
+    EXPECT_EQ(exactly.global_count, all.global_count);
+    for (const std::int64_t most : {std::int64_t{0}, all.local_count / 2, count - 1}) {
+        const auto some = find_self_intersections(surface.view(), 0, most);
+        EXPECT_FALSE(some.is_complete);
+        EXPECT_FALSE(some.is_embedded());
+        EXPECT_EQ(some.local_count + some.global_count, most);
+    }
+}
+
 // Needles about two opposite vertices, whose boxes all meet.
 TEST(SelfIntersections, TwoHubsOfHighDegreeTakeLittleTime) {
     const Index rim = 60000;

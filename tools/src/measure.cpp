@@ -42,6 +42,7 @@ constexpr std::array<Table, 3> tables{
 struct Options {
     std::vector<std::string> files;
     std::array<std::string, tables.size()> outputs;  // a name for each table asked for
+    std::int64_t most_intersections = 10'000'000;
     InputOptions input;
 
     [[nodiscard]] bool writes() const {
@@ -61,10 +62,10 @@ struct Findings {
     geometry::SelfIntersections intersections;
     GeneralPosition position;
 
-    explicit Findings(const SurfaceView& surface)
+    Findings(const SurfaceView& surface, std::int64_t most_intersections)
         : measures(geometry::measure(surface)),
           pinch_points(geometry::pinch_points(surface).size()),
-          intersections(geometry::find_self_intersections(surface, 0)),
+          intersections(geometry::find_self_intersections(surface, 0, most_intersections)),
           position(geometry::general_position(surface)) {}
 };
 
@@ -94,6 +95,7 @@ void add(Json& json, const Findings& found) {
     json["pinch_points"] = found.pinch_points;
     json["local_self_intersections"] = found.intersections.local_count;
     json["global_self_intersections"] = found.intersections.global_count;
+    json["self_intersections_complete"] = found.intersections.is_complete;
     json["embedded"] = found.intersections.is_embedded();
     json["general_position"] = found.position.holds();
     json["general_position_scope"] = name(found.position.scope);
@@ -130,21 +132,21 @@ std::string in_words(const Findings& found) {
         "  mean absolute curvature {:.9g}, by lengths {:.9g}\n"
         "  area {:.9g}, volume {:.9g}\n"
         "  vertices: {}\n  edges: {}\n"
-        "  {}: {} local and {} global self-intersections, {} pinch points\n  {}",
+        "  {}: {}{} local and {} global self-intersections, {} pinch points\n  {}",
         m.total_curvature, m.total_absolute_curvature, m.mean_absolute_curvature,
         m.mean_absolute_curvature_weighted, m.area, m.volume,
         counts_in_words(geometry::vertex_type_names, m.vertex_types),
         counts_in_words(geometry::edge_shape_names, m.edge_shapes),
         found.intersections.is_embedded() ? "embedded" : "not embedded",
-        found.intersections.local_count, found.intersections.global_count, found.pinch_points,
-        position_in_words(found.position));
+        found.intersections.is_complete ? "" : "at least ", found.intersections.local_count,
+        found.intersections.global_count, found.pinch_points, position_in_words(found.position));
 }
 
 Exit measure_file(const Output& output, const Options& options, const std::string& file) {
     const SurfaceInput input(file, options.input);
     const geometry::Surface surface = input.surface();
     const kernel::Triangulation& t = surface.triangulation();
-    const Findings found(surface.view());
+    const Findings found(surface.view(), options.most_intersections);
     Json json{{"file", file},
               {"format", input.format()},
               {"vertices", t.vertex_count()},
@@ -175,6 +177,10 @@ void add_measure(CLI::App& app, const Output& output, Action& action) {
     for (std::size_t i = 0; i < tables.size(); ++i) {
         verb->add_option(tables.at(i).option, options->outputs.at(i), tables.at(i).description);
     }
+    verb->add_option("--max-intersections", options->most_intersections,
+                     "Count so many pairs of faces that meet and no more")
+        ->check(whole_number(1))
+        ->capture_default_str();
     options->input.add_triangulate(*verb);
     options->input.add_reorient(*verb);
     verb->callback([&output, &action, options] {

@@ -123,5 +123,21 @@ TEST_F(Measure, RefusesWhatHasNoPointsOrIsNoSurfaceAndGoesOn) {
     EXPECT_THAT(names(), UnorderedElementsAre("sphere", "open.off", "a.off"));
 }
 
+TEST_F(Measure, CountsNoMoreIntersectionsThanAsked) {
+    // A tetrahedron pressed flat.
+    write("flat.off",
+          "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0.2 0.2 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n"
+          "3 2 0 3\n");
+    const Json all = run_json({"measure", "flat.off"});
+    ASSERT_GT(all["local_self_intersections"], 1);
+    EXPECT_EQ(all["self_intersections_complete"], true);
+    const Json some = run_json({"measure", "flat.off", "--max-intersections", "1"});
+    EXPECT_EQ(some["local_self_intersections"], 1);
+    EXPECT_EQ(some["self_intersections_complete"], false);
+    EXPECT_EQ(some["embedded"], false);
+    EXPECT_THAT(run({"measure", "flat.off", "--max-intersections", "1"}).out,
+                HasSubstr("not embedded: at least 1 local"));
+}
+
 }  // namespace
 }  // namespace tightflip::tools

@@ -14,6 +14,7 @@
 #include <tightflip/geometry/surface.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace tightflip::geometry {
@@ -31,11 +32,13 @@ struct SelfIntersections {
     std::int64_t local_count = 0;
     std::int64_t global_count = 0;
     std::int64_t collapsed_count = 0;  ///< faces of zero area
+    /// Whether all pairs were counted; otherwise there are at least so many.
+    bool is_complete = true;
     /// The first pairs in ascending order, as many as were asked for.
     std::vector<FacePair> pairs;
 
     [[nodiscard]] bool is_embedded() const noexcept {
-        return local_count + global_count + collapsed_count == 0;
+        return is_complete && local_count + global_count + collapsed_count == 0;
     }
 };
 
@@ -46,8 +49,11 @@ struct SelfIntersections {
 /// directions at each vertex for the local pairs: O((n + k) log n) for n faces of bounded shape,
 /// where k pairs of faces without a common vertex have boxes that meet, or meet locally; quadratic
 /// at worst, as where most faces reach through one place. Memory: about 150 bytes a face.
-[[nodiscard]] SelfIntersections find_self_intersections(const SurfaceView& surface,
-                                                        std::size_t kept = 1000);
+/// Counting stops at `most_counted` pairs, local ones first; pairs listed then are the first of
+/// those counted.
+[[nodiscard]] SelfIntersections find_self_intersections(
+    const SurfaceView& surface, std::size_t kept = 1000,
+    std::int64_t most_counted = std::numeric_limits<std::int64_t>::max());
 
 /// Whether no two faces meet beyond what they share and none has zero area: then the surface lies
 /// in space without self-intersection. Stops at the first pair.
