@@ -3,6 +3,7 @@
 #include <tightflip/geometry/composed_criteria.hpp>
 #include <tightflip/geometry/convex_data.hpp>
 #include <tightflip/geometry/data_sets.hpp>
+#include <tightflip/geometry/edge_shape.hpp>
 #include <tightflip/geometry/optimise.hpp>
 #include <tightflip/geometry/self_intersections.hpp>
 #include <tightflip/kernel/audit.hpp>
@@ -121,6 +122,21 @@ TEST(Optimise, LimitsAreKeptAndItGoesOnAfterwards) {
     const auto needed = static_cast<std::int64_t>(all.flips.size());
     EXPECT_EQ(optimise_by(exact, "volume", {.order = FlipOrder::best, .max_flips = needed}).end,
               OptimiseEnd::local_minimum);
+}
+
+TEST(Optimise, OfEqualImprovementsTheLowestNumberIsDone) {
+    // A cube inside out: its twelve edges are concave, each with as much to gain.
+    Surface surface = moved(cube(), Eigen::Affine3d(Eigen::Scaling(-1.0, 1.0, 1.0)));
+    Edge lowest{};
+    for (Index e = surface.triangulation().edge_count() - 1; e >= 0; --e) {
+        if (edge_shape(surface.view(), Edge{e}) == EdgeShape::concave) lowest = Edge{e};
+    }
+    for (const std::uint64_t seed : {0, 1, 2, 3}) {
+        Surface start = surface;
+        const OptimiseResult result =
+            optimise_by(start, "volume", {.order = FlipOrder::best, .seed = seed, .max_flips = 1});
+        EXPECT_EQ(result.flips, std::vector<Edge>{lowest});
+    }
 }
 
 TEST(Optimise, LockedEdgesStay) {
