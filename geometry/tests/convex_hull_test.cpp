@@ -17,14 +17,6 @@ namespace {
 
 using kernel::RandomStream;
 
-std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
-    RandomStream random(seed);
-    std::vector<Point> points;
-    while (points.size() < count)
-        points.push_back(random_point(random));
-    return points;
-}
-
 std::vector<Point> on_sphere(std::vector<Point> points) {
     for (Point& point : points)
         point.normalize();

@@ -11,14 +11,6 @@
 namespace tightflip::geometry {
 namespace {
 
-std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
-    kernel::RandomStream random(seed);
-    std::vector<Point> points;
-    while (points.size() < count)
-        points.push_back(random_point(random));
-    return points;
-}
-
 TEST(FunctionalSurface, IsTheDelaunayTriangulationClosedBelow) {
     for (const std::size_t count : {3U, 4U, 10U, 200U}) {
         const auto points = random_points(count, count);

@@ -33,6 +33,14 @@ inline Point random_point(kernel::RandomStream& random) {
     return {x, y, random_coordinate(random)};
 }
 
+inline std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
+    kernel::RandomStream random(seed);
+    std::vector<Point> points;
+    while (points.size() < count)
+        points.push_back(random_point(random));
+    return points;
+}
+
 /// Uniform among the integers -bound .. bound, in each coordinate.
 inline Point random_grid_point(kernel::RandomStream& random, std::uint32_t bound) {
     Point point;

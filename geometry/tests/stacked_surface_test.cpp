@@ -12,14 +12,6 @@
 namespace tightflip::geometry {
 namespace {
 
-std::vector<Point> random_points(std::size_t count, std::uint64_t seed) {
-    kernel::RandomStream random(seed);
-    std::vector<Point> points;
-    while (points.size() < count)
-        points.push_back(random_point(random));
-    return points;
-}
-
 TEST(StackedSurface, IsASimpleSphereOnThePoints) {
     for (const StackingFace choice : {StackingFace::random, StackingFace::nearest}) {
         for (const std::size_t count : {4U, 5U, 100U}) {
