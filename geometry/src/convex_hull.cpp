@@ -1,6 +1,7 @@
 #include "coplanar_triangle.hpp"
 #include "face_mesh.hpp"
 #include "lexicographic.hpp"
+#include "simplex.hpp"
 #include <tightflip/geometry/convex_hull.hpp>
 #include <tightflip/geometry/exact_predicates.hpp>
 #include <tightflip/kernel/random.hpp>
@@ -44,7 +45,7 @@ public:
     /// Builds the hull of the distinct points of these labels, in lexicographic order.
     DataFault build(const std::vector<Index>& labels) {
         std::array<Index, 4> corners{};
-        const DataFault fault = choose_simplex(labels, corners);
+        const DataFault fault = choose_simplex(points_, labels, corners);
         if (fault != DataFault::none) return fault;
         start(labels, corners);
         while (!pending_.empty()) {
@@ -75,7 +76,6 @@ private:
         return orientation(point(a), point(b), point(c), point(i));
     }
 
-    DataFault choose_simplex(const std::vector<Index>& labels, std::array<Index, 4>& corners) const;
     void start(const std::vector<Index>& labels, std::array<Index, 4> corners);
     Index new_face(Index a, Index b, Index c);
     void add_point_above(Index f);
@@ -101,40 +101,6 @@ private:
     std::vector<Index> made_;     // the faces at the point just added
     std::vector<Index> bends_;    // of each point, how many edges that are not flat meet there
 };
-
-/// Of the items, the one with the largest value, where it `holds`; or else the first that does.
-template <class Value, class Holds>
-std::optional<Index> best_or_any(const std::vector<Index>& items, Value&& value, Holds&& holds) {
-    const auto best = std::ranges::max_element(items, {}, value);
-    if (holds(*best)) return *best;
-    const auto any = std::ranges::find_if(items, holds);
-    return any == items.end() ? std::nullopt : std::optional(*any);
-}
-
-/// A number that orders, whatever the arithmetic made of it.
-double ordered(double value) {
-    return std::isnan(value) ? 0 : value;
-}
-
-DataFault HullBuilder::choose_simplex(const std::vector<Index>& labels,
-                                      std::array<Index, 4>& corners) const {
-    const Point& a = point(labels.front());
-    const Point& b = point(labels.back());
-    const auto third = best_or_any(
-        labels, [&](Index i) { return ordered((b - a).cross(point(i) - a).squaredNorm()); },
-        [&](Index i) { return !are_collinear(a, b, point(i)); });
-    if (!third) return DataFault::collinear_points;
-    const Point& c = point(*third);
-    const Point normal = (b - a).cross(c - a);
-    const auto fourth = best_or_any(
-        labels, [&](Index i) { return ordered(std::abs(normal.dot(point(i) - a))); },
-        [&](Index i) { return orientation(a, b, c, point(i)) != Sign::zero; });
-    if (!fourth) return DataFault::coplanar_points;
-    corners = {labels.front(), labels.back(), *third, *fourth};
-    // The fourth lies below the first face.
-    if (orientation(a, b, c, point(*fourth)) == Sign::positive) std::swap(corners[0], corners[1]);
-    return DataFault::none;
-}
 
 void HullBuilder::start(const std::vector<Index>& labels, std::array<Index, 4> corners) {
     const auto [a, b, c, d] = corners;

@@ -28,18 +28,6 @@ Vertex highest(const std::vector<Index>& degrees) {
     return {static_cast<Index>(std::ranges::max_element(degrees) - degrees.begin())};
 }
 
-Halfedge leaving(const Triangulation& surface, Vertex v) {
-    const auto found = std::ranges::find(surface.table(), v, &HalfedgeRecord::origin);
-    return {static_cast<Index>(found - surface.table().begin())};
-}
-
-/// A halfedge of the tree that leaves a vertex other than the hub. About it, edges of the tree and
-/// spokes take turns.
-Halfedge tree_edge_from(const Triangulation& surface, Vertex v, Vertex hub) {
-    const Halfedge h = leaving(surface, v);
-    return surface.target(h) == hub ? twin(surface.previous(h)) : h;
-}
-
 /// The two ends' common hub. The gathering makes F minus its degree flips on either side.
 Vertex choose_hub(std::vector<Index> degrees_from, const std::vector<Index>& degrees_to) {
     for (std::size_t v = 0; v < degrees_to.size(); ++v)
@@ -122,16 +110,16 @@ ConnectResult connect(const Triangulation& from, const Triangulation& to) {
 
     FlipTrail ahead(from);
     ahead.reserve(static_cast<std::size_t>(connect_bound(from.vertex_count())));
-    hub_form::gather(ahead, leaving(ahead.surface(), hub));
+    hub_form::gather(ahead, hub_form::leaving(ahead.table(), hub));
     const Vertex root = choose_root(ahead.surface(), hub);
 
     FlipTrail back(to);
-    hub_form::gather(back, leaving(back.surface(), hub));
-    const Halfedge first = tree_edge_from(back.surface(), root, hub);
+    hub_form::gather(back, hub_form::leaving(back.table(), hub));
+    const Halfedge first = hub_form::tree_edge_from(back.table(), root, hub);
     const hub_form::Walk walk = hub_form::depth_first(back.table(), to.vertex_count(), first);
     hub_form::draw_out(back, walk);
 
-    Halfedge page = tree_edge_from(ahead.surface(), root, hub);
+    Halfedge page = hub_form::tree_edge_from(ahead.table(), root, hub);
     hub_form::spread(ahead, page);
     page = hub_form::sort_pages(ahead, walk.ranks, page);
 

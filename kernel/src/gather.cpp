@@ -12,7 +12,7 @@ FlipLog gather_at(const Triangulation& surface, Vertex hub) {
             std::to_string(surface.vertex_count()) + " of them, numbered from 0");
     }
     FlipTrail trail(surface);
-    hub_form::gather(trail, surface.outgoing()[static_cast<std::size_t>(hub.id)]);
+    hub_form::gather(trail, hub_form::leaving(surface.table(), hub));
     return {surface, std::move(trail).take_flips()};
 }
 

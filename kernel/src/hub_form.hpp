@@ -11,6 +11,8 @@
 
 #include "flip_trail.hpp"
 
+#include <algorithm>
+
 namespace tightflip::kernel::hub_form {
 
 /// The side before `h` in its face.
@@ -26,6 +28,18 @@ namespace tightflip::kernel::hub_form {
 }
 [[nodiscard]] constexpr Halfedge clockwise(HalfedgeTable table, Halfedge h) noexcept {
     return at(table, twin(at(table, twin(h)).next)).next;
+}
+
+/// Some halfedge that leaves a vertex; linear time.
+[[nodiscard]] inline Halfedge leaving(HalfedgeTable table, Vertex v) {
+    const auto found = std::ranges::find(table, v, &HalfedgeRecord::origin);
+    return {static_cast<Index>(found - table.begin())};
+}
+/// A halfedge of the tree that leaves a vertex other than the hub. About it, edges of the tree and
+/// spokes take turns.
+[[nodiscard]] inline Halfedge tree_edge_from(HalfedgeTable table, Vertex v, Vertex hub) {
+    const Halfedge h = leaving(table, v);
+    return target(table, h) == hub ? twin(previous(table, h)) : h;
 }
 
 /// Flips until every face contains the origin of `spoke` (see gather.hpp). A flipped side leaves a

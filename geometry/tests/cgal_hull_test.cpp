@@ -1,12 +1,14 @@
-// omega+ against an independent hull: that of the star, by CGAL.
+// Against an independent hull, CGAL's: omega+ is that of the star's, and `convexify` ends in it.
 
 #include "shapes.hpp"
+#include <tightflip/geometry/convexify.hpp>
 #include <tightflip/geometry/curvature.hpp>
 #include <tightflip/kernel/circulation.hpp>
 
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -70,6 +72,47 @@ TEST(PositiveCurvature, IsThatOfTheHullOfTheStar) {
     }
     EXPECT_GT(on_hull, 50);
     EXPECT_GT(within, 50);
+}
+
+using LabelPair = std::pair<Index, Index>;
+
+std::set<LabelPair> edges_of(const Triangulation& surface) {
+    std::set<LabelPair> edges;
+    for (Index e = 0; e < surface.edge_count(); ++e) {
+        const Halfedge h = kernel::halfedge_of({e});
+        edges.insert(std::minmax(surface.origin(h).id, surface.target(h).id));
+    }
+    return edges;
+}
+
+std::set<LabelPair> edges_of_hull(Points points) {
+    std::map<HullPoint, Index> labels;
+    for (const Point& p : points)
+        labels.emplace(HullPoint(p.x(), p.y(), p.z()), static_cast<Index>(labels.size()));
+    std::vector<HullPoint> corners;
+    for (const Point& p : points)
+        corners.emplace_back(p.x(), p.y(), p.z());
+    HullMesh hull;
+    CGAL::convex_hull_3(corners.begin(), corners.end(), hull);
+    std::set<LabelPair> edges;
+    for (const auto e : hull.edges()) {
+        edges.insert(std::minmax(labels.at(hull.point(hull.vertex(e, 0))),
+                                 labels.at(hull.point(hull.vertex(e, 1)))));
+    }
+    return edges;
+}
+
+TEST(Convexify, EndsInTheEdgesOfTheHull) {
+    for (const std::size_t vertices : {4U, 5U, 8U, 20U, 300U}) {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            std::vector<Point> points = random_points(vertices, seed);
+            for (Point& point : points)
+                point.normalize();
+            Triangulation surface = kernel::families::random(static_cast<Index>(vertices), 0, seed);
+            ASSERT_TRUE(convexify(surface, points));
+            EXPECT_EQ(edges_of(surface), edges_of_hull(points)) << vertices << ", seed " << seed;
+        }
+    }
 }
 
 }  // namespace
