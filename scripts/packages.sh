@@ -1,7 +1,8 @@
 # The Debian packages of each job, and how to install those that are missing. Sourced, not run.
 packages_build=(g++ cmake make libeigen3-dev libcgal-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
-packages_test=("${packages_build[@]}" libgtest-dev libgmock-dev librapidcheck-dev libboost-graph-dev
-               librsvg2-bin pkg-config)
+packages_report=(libjs-three libjs-chart.js)
+packages_test=("${packages_build[@]}" "${packages_report[@]}" libgtest-dev libgmock-dev
+               librapidcheck-dev libboost-graph-dev librsvg2-bin pkg-config chromium)
 packages_bench=("${packages_build[@]}" libbenchmark-dev libopenmesh-dev)
 packages_fuzz=(clang libclang-rt-14-dev)
 packages_lint=("${packages_fuzz[@]}" clang-format clang-tidy git)

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     bench::register_measure_benchmarks();
     bench::register_intersection_benchmarks();
     bench::register_file_benchmarks();
+    bench::register_optimise_benchmarks();
     tightflip::kernel::bench::MarkdownReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();

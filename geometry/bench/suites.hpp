@@ -8,5 +8,6 @@ void register_criteria_benchmarks();
 void register_measure_benchmarks();
 void register_intersection_benchmarks();
 void register_file_benchmarks();
+void register_optimise_benchmarks();
 
 }  // namespace tightflip::geometry::bench

@@ -11,18 +11,15 @@
 namespace tightflip::geometry {
 namespace {
 
-/// Whether one of several criteria depends on stars.
 template <class Parts>
-bool any_depends_on_stars(const Parts& parts) {
-    return std::ranges::any_of(parts,
-                               [](const auto& part) { return part.criterion->depends_on_stars(); });
+void append_affected_of(const Parts& parts, Edge e, std::vector<Edge>& edges) {
+    for (const auto& part : parts)
+        part.criterion->append_affected(e, edges);
 }
 
 class WeightedSum final : public Criterion {
 public:
     explicit WeightedSum(std::vector<WeightedCriterion> terms) : terms_(std::move(terms)) {}
-
-    [[nodiscard]] bool depends_on_stars() const override { return any_depends_on_stars(terms_); }
 
     [[nodiscard]] std::size_t level_count() const override {
         std::size_t count = 1;
@@ -49,6 +46,9 @@ public:
         for (const auto& term : terms_)
             term.criterion->flipped(e);
     }
+    void append_affected(Edge e, std::vector<Edge>& edges) const override {
+        append_affected_of(terms_, e, edges);
+    }
 
 private:
     std::vector<WeightedCriterion> terms_;
@@ -64,7 +64,6 @@ public:
         }
     }
 
-    [[nodiscard]] bool depends_on_stars() const override { return any_depends_on_stars(ranks_); }
     [[nodiscard]] std::size_t level_count() const override {
         std::size_t count = 0;
         for (const RankedCriterion& rank : ranks_)
@@ -97,6 +96,9 @@ public:
     void flipped(Edge e) override {
         for (const RankedCriterion& rank : ranks_)
             rank.criterion->flipped(e);
+    }
+    void append_affected(Edge e, std::vector<Edge>& edges) const override {
+        append_affected_of(ranks_, e, edges);
     }
 
 private:

@@ -4,6 +4,7 @@
 #include <tightflip/geometry/curvature.hpp>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -14,6 +15,7 @@ namespace {
 /// The angle between normals as the sine and cosine it is made of, up to a common factor; not
 /// where a face is so thin that roundings would matter.
 struct NormalTurn {
+    double length;  ///< of the edge
     double sine;
     double cosine;
     bool is_reliable;
@@ -26,8 +28,9 @@ struct NormalTurn {
         const Point second = q.cross(u);
         constexpr double thin = 1e-8;  // the square of a sine
         const double u2 = u.squaredNorm();
+        length = std::sqrt(u2);
         // The cross product of the normals is u times the determinant of u, p and q.
-        sine = std::sqrt(u2) * std::abs(first.dot(q));
+        sine = length * std::abs(first.dot(q));
         cosine = first.dot(second);
         is_reliable = first.squaredNorm() > thin * u2 * p.squaredNorm() &&
                       second.squaredNorm() > thin * u2 * q.squaredNorm();
@@ -35,26 +38,31 @@ struct NormalTurn {
 };
 
 /// 0 .. pi.
-double angle_between_normals(const BoundSurface& surface, const HingeCorners& h) {
-    const NormalTurn turn(surface.scaled(h));
+double angle_between_normals(const BoundSurface& surface, const HingeCorners& h,
+                             const NormalTurn& turn) {
     if (turn.is_reliable) return std::atan2(turn.sine, turn.cosine);
     return std::abs(exterior_angle(surface.exact(h)));
+}
+
+double angle_between_normals(const BoundSurface& surface, const HingeCorners& h) {
+    return angle_between_normals(surface, h, NormalTurn(surface.scaled(h)));
 }
 
 double length_of(const BoundSurface& surface, const HingeCorners& h) {
     return (surface.scaled(h.b) - surface.scaled(h.a)).norm();
 }
 
-/// A measure of one edge, added up.
+/// A measure of one edge, added up until that reaches a limit.
 struct PlainSum {
     static constexpr int dimension = 0;
     static constexpr bool needs_heights = false;
     template <class Measure>
     static double sum(const Measure& measure, const BoundSurface& surface,
-                      std::span<const HingeCorners> hinges) {
+                      std::span<const HingeCorners> hinges, double limit) {
         double total = 0;
         for (const HingeCorners& h : hinges) {
             if (surface.counts(h)) total += measure(surface, h);
+            if (total >= limit) break;
         }
         return total;
     }
@@ -67,15 +75,15 @@ struct AngleBetweenNormals : PlainSum {
         return angle_between_normals(surface, h) * halves / 2;
     }
     static double sum(const AngleBetweenNormals& measure, const BoundSurface& surface,
-                      std::span<const HingeCorners> hinges) {
+                      std::span<const HingeCorners> hinges, double limit) {
         AngleSum angles;
         for (const HingeCorners& h : hinges) {
             if (!surface.counts(h)) continue;
             const NormalTurn turn(surface.scaled(h));
-            if (!turn.is_reliable) return PlainSum::sum(measure, surface, hinges);
+            if (!turn.is_reliable) return PlainSum::sum(measure, surface, hinges, limit);
             angles.add(turn.sine, turn.cosine);
         }
-        if (!angles.is_reliable()) return PlainSum::sum(measure, surface, hinges);
+        if (!angles.is_reliable()) return PlainSum::sum(measure, surface, hinges, limit);
         return angles.total() * halves / 2;
     }
 };
@@ -83,7 +91,8 @@ struct AngleBetweenNormals : PlainSum {
 struct WeightedMean : PlainSum {
     static constexpr int dimension = 1;
     double operator()(const BoundSurface& surface, const HingeCorners& h) const {
-        return angle_between_normals(surface, h) / 2 * length_of(surface, h);
+        const NormalTurn turn(surface.scaled(h));
+        return angle_between_normals(surface, h, turn) / 2 * turn.length;
     }
 };
 
@@ -138,6 +147,24 @@ public:
     }
 
     [[nodiscard]] Energy change(Edge e) override {
+        return change_up_to(e, std::numeric_limits<double>::infinity());
+    }
+    [[nodiscard]] Energy improvement(Edge e) override { return change_up_to(e, 0); }
+
+    void flipped(Edge e) override {
+        const auto now = AffectedEdges::before_flip(surface_.table(), e);
+        for (std::size_t i = 0; i < now.edges().size(); ++i)
+            keep(now.edges()[i], now.hinges()[i]);
+    }
+
+    void append_affected(Edge e, std::vector<Edge>& edges) const override {
+        append_edges_of_faces_beside(surface_.table(), e, edges);
+    }
+
+private:
+    /// The change or, where it is not below a limit, what is enough to say so: no measure is below
+    /// zero.
+    [[nodiscard]] Energy change_up_to(Edge e, double limit) const {
         const auto after = AffectedEdges::after_flip(surface_.table(), e);
         const HingeCorners& middle = after.hinges().front();
         if (!surface_.counts(middle)) return Energy::forbidden();
@@ -149,16 +176,9 @@ public:
         double before = 0;
         for (const Edge edge : after.edges())
             before += kept_[static_cast<std::size_t>(edge.id)];
-        return in_units(Measure::sum(measure_, surface_, after.hinges()) - before);
+        return in_units(Measure::sum(measure_, surface_, after.hinges(), before + limit) - before);
     }
 
-    void flipped(Edge e) override {
-        const auto now = AffectedEdges::before_flip(surface_.table(), e);
-        for (std::size_t i = 0; i < now.edges().size(); ++i)
-            keep(now.edges()[i], now.hinges()[i]);
-    }
-
-private:
     void keep(Edge e, const HingeCorners& hinge) {
         kept_[static_cast<std::size_t>(e.id)] =
             surface_.counts(hinge) ? measure_(surface_, hinge) : 0;

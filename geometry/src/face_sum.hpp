@@ -41,6 +41,10 @@ public:
 
     void flipped(Edge /*e*/) override {}
 
+    void append_affected(Edge e, std::vector<Edge>& edges) const override {
+        append_edges_of_faces(surface_.table(), e, edges);
+    }
+
 private:
     [[nodiscard]] Energy in_units(Energy energy) const {
         energy.levels[0] = surface_.in_units(energy.levels[0], Measure::dimension);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace tightflip::geometry {
 
@@ -89,5 +90,24 @@ private:
     std::array<Edge, 5> edges_{};
     std::size_t count_ = 0;
 };
+
+/// Appends the edges of the two faces at `e`.
+inline void append_edges_of_faces(kernel::HalfedgeTable table, Edge e, std::vector<Edge>& edges) {
+    const auto q = kernel::Quadrilateral::around(table, e);
+    for (const Halfedge h : {q.h, q.h1, q.h2, q.t1, q.t2})
+        edges.push_back(edge_of(h));
+}
+
+/// Appends the edges of the two faces at `e` and of the four beside them.
+inline void append_edges_of_faces_beside(kernel::HalfedgeTable table, Edge e,
+                                         std::vector<Edge>& edges) {
+    append_edges_of_faces(table, e, edges);
+    const auto q = kernel::Quadrilateral::around(table, e);
+    for (const Halfedge side : {q.h1, q.h2, q.t1, q.t2}) {
+        const Halfedge second = kernel::at(table, twin(side)).next;
+        edges.push_back(edge_of(second));
+        edges.push_back(edge_of(kernel::at(table, second).next));
+    }
+}
 
 }  // namespace tightflip::geometry

@@ -1,12 +1,11 @@
+#include "allowed_flips.hpp"
 #include <tightflip/geometry/optimise.hpp>
-#include <tightflip/geometry/self_intersections.hpp>
-#include <tightflip/kernel/circulation.hpp>
 #include <tightflip/kernel/random.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <queue>
+#include <limits>
 
 namespace tightflip::geometry {
 namespace {
@@ -35,38 +34,81 @@ private:
     std::vector<char> waits_;
 };
 
-struct Improvement {
-    Energy change;
-    Edge edge;
-    std::uint32_t version = 0;  ///< of the edge, when it was looked at
+/// The improvements found, the best on top: a heap in which each edge knows its place.
+class Improvements {
+public:
+    explicit Improvements(Index edges)
+        : changes_(static_cast<std::size_t>(edges)),
+          places_(static_cast<std::size_t>(edges), nowhere) {}
 
-    /// The best comes first out of a heap; of equal ones the edge with the smaller number.
-    friend bool operator<(const Improvement& a, const Improvement& b) {
-        if (a.change < b.change) return false;
-        if (b.change < a.change) return true;
-        return b.edge < a.edge;
+    [[nodiscard]] bool empty() const { return heap_.empty(); }
+    [[nodiscard]] Edge best() const { return heap_.front().edge; }
+    [[nodiscard]] const Energy& change(Edge e) const {
+        return changes_[static_cast<std::size_t>(e.id)];
     }
-};
 
-/// The edges whose faces, or whose corners' stars, a flip has changed.
-template <class Use>
-void for_each_affected(kernel::HalfedgeTable table, Edge e, bool by_stars, const Use& use) {
-    const auto q = kernel::Quadrilateral::around(table, e);
-    if (by_stars) {
-        for (const Halfedge h : {q.h, q.t, q.h2, q.t2}) {
-            for (const Halfedge spoke : kernel::Star(table, h)) {
-                use(edge_of(spoke));
-                use(edge_of(at(table, spoke).next));
-            }
+    void set(Edge e, const Energy& change) {
+        changes_[static_cast<std::size_t>(e.id)] = change;
+        std::size_t place = this->place(e);
+        if (place == nowhere) {
+            place = heap_.size();
+            heap_.emplace_back();
         }
-        return;
+        settle(place, {change.first(), e});
     }
-    use(e);
-    for (const Halfedge side : {q.h1, q.h2, q.t1, q.t2}) {
-        for (const Halfedge h : kernel::FaceSides(table, twin(side)))
-            use(edge_of(h));
+    void remove(Edge e) {
+        const std::size_t place = this->place(e);
+        if (place == nowhere) return;
+        this->place(e) = nowhere;
+        const Entry last = heap_.back();
+        heap_.pop_back();
+        if (last.edge != e) settle(place, last);
     }
-}
+
+private:
+    struct Entry {
+        double first = 0;  // the change's first level, which mostly decides
+        Edge edge;
+    };
+    static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+    static constexpr std::size_t fan = 4;
+
+    [[nodiscard]] std::size_t& place(Edge e) { return places_[static_cast<std::size_t>(e.id)]; }
+
+    /// Of equal ones the edge with the smaller number is better.
+    [[nodiscard]] bool is_better(const Entry& a, const Entry& b) const {
+        if (a.first != b.first) return a.first < b.first;
+        if (change(a.edge) < change(b.edge)) return true;
+        if (change(b.edge) < change(a.edge)) return false;
+        return a.edge < b.edge;
+    }
+    void put(std::size_t place, const Entry& entry) {
+        heap_[place] = entry;
+        this->place(entry.edge) = place;
+    }
+    /// Puts an entry where it belongs, above or below a place that is free.
+    void settle(std::size_t place, const Entry& entry) {
+        while (place > 0 && is_better(entry, heap_[(place - 1) / fan])) {
+            put(place, heap_[(place - 1) / fan]);
+            place = (place - 1) / fan;
+        }
+        while (fan * place + 1 < heap_.size()) {
+            const auto children = heap_.begin() + static_cast<std::ptrdiff_t>(fan * place + 1);
+            const std::size_t count = std::min(fan, heap_.size() - (fan * place + 1));
+            const auto better = [this](const Entry& a, const Entry& b) { return is_better(a, b); };
+            const auto child =
+                std::min_element(children, children + static_cast<std::ptrdiff_t>(count), better);
+            if (!is_better(*child, entry)) break;
+            put(place, *child);
+            place = static_cast<std::size_t>(child - heap_.begin());
+        }
+        put(place, entry);
+    }
+
+    std::vector<Entry> heap_;
+    std::vector<Energy> changes_;      // by edge
+    std::vector<std::size_t> places_;  // by edge
+};
 
 class Optimiser {
 public:
@@ -77,7 +119,7 @@ public:
           criterion_(criterion),
           options_(options),
           waiting_(surface.edge_count()),
-          versions_(static_cast<std::size_t>(surface.edge_count()), 0),
+          improvements_(options.order == FlipOrder::best ? surface.edge_count() : 0),
           locked_(static_cast<std::size_t>(surface.edge_count()), 0) {
         for (const Edge e : options.locked)
             locked_.at(static_cast<std::size_t>(e.id)) = 1;
@@ -89,7 +131,9 @@ public:
     }
 
     OptimiseResult run() && {
+        if (options_.trace_every > 0) trace();
         result_.end = options_.order == FlipOrder::first ? run_first() : run_best();
+        if (options_.trace_every > 0 && result_.trace.back().flips != flips_done()) trace();
         result_.after = criterion_.value();
         return std::move(result_);
     }
@@ -110,7 +154,7 @@ private:
             return std::nullopt;
         }
         ++result_.evaluated;
-        const Energy change = criterion_.change(e);
+        const Energy change = criterion_.improvement(e);
         if (!improves(change)) return std::nullopt;
         if (is_allowed(e)) return change;
         turned_down_.push_back(e);
@@ -136,19 +180,7 @@ private:
     }
 
     [[nodiscard]] bool is_allowed(Edge e) const {
-        switch (options_.allowed) {
-            case AllowedFlips::all:
-                return true;
-            case AllowedFlips::simple: {
-                const Halfedge h = halfedge_of(e);
-                const Vertex d = surface_.opposite(twin(h));
-                const auto neighbours = surface_.neighbours(surface_.previous(h));
-                return std::find(neighbours.begin(), neighbours.end(), d) == neighbours.end();
-            }
-            case AllowedFlips::embedded:
-                return flip_keeps_embedded({surface_.table(), points_}, e);
-        }
-        return false;
+        return geometry::is_allowed(options_.allowed, surface_, points_, e);
     }
 
     /// Flips and says whether to stop, and why.
@@ -157,18 +189,23 @@ private:
         criterion_.flipped(e);
         energy_ += change;
         result_.flips.push_back(e);
-        const auto done = static_cast<std::int64_t>(result_.flips.size());
-        for_each_affected(surface_.table(), e, criterion_.depends_on_stars(), [&](Edge affected) {
-            ++versions_[static_cast<std::size_t>(affected.id)];
+        if (options_.trace_every > 0 && flips_done() % options_.trace_every == 0) trace();
+        affected_.clear();
+        criterion_.append_affected(e, affected_);
+        for (const Edge affected : affected_)
             waiting_.push(affected);
-        });
-        if (options_.keep_going && !options_.keep_going(done, energy_)) return OptimiseEnd::stopped;
+        if (options_.keep_going && !options_.keep_going(flips_done(), energy_)) {
+            return OptimiseEnd::stopped;
+        }
         return std::nullopt;
     }
 
-    [[nodiscard]] bool is_out_of_flips() const {
-        return static_cast<std::int64_t>(result_.flips.size()) >= options_.max_flips;
+    [[nodiscard]] std::int64_t flips_done() const {
+        return static_cast<std::int64_t>(result_.flips.size());
     }
+    void trace() { result_.trace.push_back({flips_done(), energy_}); }
+
+    [[nodiscard]] bool is_out_of_flips() const { return flips_done() >= options_.max_flips; }
     /// The clock is looked at now and then only.
     bool is_out_of_time() {
         if (result_.evaluated < next_look_) return false;
@@ -191,30 +228,30 @@ private:
 
     OptimiseEnd run_best() {
         do {
-            while (const auto next = best_improvement()) {
+            while (const auto e = best_improvement()) {
                 if (is_out_of_time()) return OptimiseEnd::time_limit;
                 if (is_out_of_flips()) return OptimiseEnd::flip_limit;
-                if (const auto end = flip(next->edge, next->change)) return *end;
+                if (const auto end = flip(*e, improvements_.change(*e))) return *end;
             }
         } while (look_again());
         return OptimiseEnd::local_minimum;
     }
 
-    /// The best of all edges, those that wait looked at first.
-    std::optional<Improvement> best_improvement() {
+    /// The edge that improves most, those that wait looked at first.
+    std::optional<Edge> best_improvement() {
         while (const auto e = waiting_.pop()) {
             if (const auto change = improvement(*e)) {
-                heap_.push({*change, *e, versions_[static_cast<std::size_t>(e->id)]});
+                improvements_.set(*e, *change);
+            } else {
+                improvements_.remove(*e);
             }
         }
-        while (!heap_.empty()) {
-            const Improvement next = heap_.top();
-            heap_.pop();
-            // Where a flip nearby came after the look, the edge has been looked at again.
-            if (next.version != versions_[static_cast<std::size_t>(next.edge.id)]) continue;
+        while (!improvements_.empty()) {
+            const Edge e = improvements_.best();
             // A flip far away may have closed the way.
-            if (options_.allowed == AllowedFlips::all || is_allowed(next.edge)) return next;
-            turned_down_.push_back(next.edge);
+            if (options_.allowed == AllowedFlips::all || is_allowed(e)) return e;
+            improvements_.remove(e);
+            turned_down_.push_back(e);
         }
         return std::nullopt;
     }
@@ -227,11 +264,11 @@ private:
     Criterion& criterion_;
     const OptimiseOptions& options_;
     WaitingEdges waiting_;
-    std::priority_queue<Improvement> heap_;
+    Improvements improvements_;
+    std::vector<Edge> affected_;
     std::vector<Edge> turned_down_;
     std::size_t flips_seen_ = 0;
     std::int64_t next_look_ = 0;
-    std::vector<std::uint32_t> versions_;  // of edges: how often their change may have changed
     std::vector<char> locked_;
     double least_gain_ = 0;
     Energy energy_;

@@ -22,8 +22,9 @@ int last_bit(double value) {
 Integer in_units(double value, int exponent) {
     if (value == 0) return 0;
     const int last = last_bit(value);
-    const Integer digits = static_cast<std::int64_t>(std::ldexp(value, -last));
-    return digits << (last - exponent);
+    Integer digits = static_cast<std::int64_t>(std::ldexp(value, -last));
+    digits <<= last - exponent;
+    return digits;
 }
 
 Integer determinant(const std::array<Row, 4>& m) {

@@ -8,6 +8,7 @@ namespace tightflip::geometry {
 SoupBuilder::SoupBuilder(const MeshInput& input, FileError::Unit unit, std::int64_t first_label)
     : first_label_(first_label),
       triangulate_(input.options.triangulate_polygons),
+      faces_required_(input.options.faces_required),
       max_faces_(std::clamp(input.options.max_faces, Index{0}, kernel::max_faces)) {
     soup_.source = input.source;
     soup_.unit = unit;
@@ -74,7 +75,7 @@ void SoupBuilder::add_glued_sides(std::span<const std::int64_t> sides, std::uint
 TriangleSoup SoupBuilder::finish() && {
     refuse_missing_corners();
     refuse_missing_sides();
-    if (soup_.triangles.empty()) {
+    if (faces_required_ && soup_.triangles.empty()) {
         throw FileError(soup_.source, "the file has no faces, and so describes no surface");
     }
     return std::move(soup_);

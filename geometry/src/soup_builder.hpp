@@ -27,7 +27,7 @@ public:
     void add_glued_sides(std::span<const std::int64_t> sides, std::uint64_t position);
 
     /// The soup, now that all points are known. Refuses corners without a point, glued sides
-    /// without a triangle, and no triangles.
+    /// without a triangle and, unless options say so, no triangles.
     [[nodiscard]] TriangleSoup finish() &&;
 
     [[nodiscard]] std::int64_t point_count() const noexcept { return std::ssize(soup_.points); }
@@ -46,6 +46,7 @@ private:
     TriangleSoup soup_;
     std::int64_t first_label_;
     bool triangulate_;
+    bool faces_required_;
     std::int64_t max_faces_;
 };
 

@@ -27,8 +27,6 @@ public:
         }
     }
 
-    [[nodiscard]] bool depends_on_stars() const override { return true; }
-
     [[nodiscard]] Energy value() const override {
         const StarCones cones(surface_.view());
         double positive = 0;
@@ -57,22 +55,29 @@ public:
         const HingeCorners corners = HingeCorners::at(surface_.table(), q);
         if (!surface_.counts(corners)) return Energy::forbidden();
         double positive = 0;
+        if (counts_[index(corners.c)] != 0) positive += cones_.change_across(q.h);
+        if (counts_[index(corners.d)] != 0) positive += cones_.change_across(q.t);
         if (counts_[index(corners.a)] != 0) positive += cones_.change_without(q.h);
         if (counts_[index(corners.b)] != 0) positive += cones_.change_without(q.t);
-        if (counts_[index(corners.c)] != 0) {
-            positive += cones_.change_with(q.h2, surface_.exact(corners.d));
-        }
-        if (counts_[index(corners.d)] != 0) {
-            positive += cones_.change_with(q.t2, surface_.exact(corners.c));
-        }
         if (!surface_.marked().is_valid()) return 2 * positive;
         return 2 * positive + angles_of(corners.flipped().faces()) - angles_of(corners.faces());
     }
 
-    void flipped(Edge e) override {
-        const auto q = kernel::Quadrilateral::around(surface_.table(), e);
-        for (const Halfedge h : {q.h, q.t, q.h2, q.t2})
-            cones_.update(h);
+    /// Edges more only lower omega+, and edges less only raise it: without any more, none improves.
+    [[nodiscard]] Energy improvement(Edge e) override {
+        if (surface_.marked().is_valid()) return change(e);
+        const Halfedge h = halfedge_of(e);
+        const Halfedge t = twin(h);
+        double positive = cones_.change_across(h) + cones_.change_across(t);
+        if (positive < 0) positive += cones_.change_without(h);
+        if (positive < 0) positive += cones_.change_without(t);
+        return 2 * positive;
+    }
+
+    void flipped(Edge e) override { cones_.flipped(e); }
+
+    void append_affected(Edge /*e*/, std::vector<Edge>& edges) const override {
+        edges.insert(edges.end(), cones_.affected().begin(), cones_.affected().end());
     }
 
 private:

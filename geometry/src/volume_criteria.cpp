@@ -91,6 +91,10 @@ public:
 
     void flipped(Edge /*e*/) override {}
 
+    void append_affected(Edge e, std::vector<Edge>& edges) const override {
+        append_edges_of_faces(surface_.table(), e, edges);
+    }
+
 private:
     BoundSurface surface_;
 };

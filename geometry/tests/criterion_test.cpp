@@ -131,6 +131,68 @@ TEST(Criterion, LocalChangeIsTheDifferenceOnHeights) {
     }
 }
 
+/// Asks for all changes before and after each flip: those that are others have to be announced, and
+/// what is kept has to be what a new criterion finds.
+void walk_asking_for_all(Surface surface, CriterionKind kind, Vertex marked, std::uint64_t seed,
+                         int steps) {
+    SCOPED_TRACE(testing::Message() << info(kind).name << ", seed " << seed);
+    kernel::RandomStream random(seed);
+    Triangulation& triangulation = surface.triangulation();
+    const auto criterion = make_criterion(kind, surface.view(), marked);
+    const auto edges = static_cast<std::uint32_t>(triangulation.edge_count());
+    const auto change = [&](Criterion& of, Index e) {
+        return triangulation.can_flip(Edge{e}) ? of.change(Edge{e}) : Energy::forbidden();
+    };
+    std::vector<Energy> changes(edges);
+    for (std::uint32_t e = 0; e < edges; ++e)
+        changes[e] = change(*criterion, static_cast<Index>(e));
+    const Energy size = criterion->value();
+    for (int step = 0; step < steps; ++step) {
+        const Edge flipped{static_cast<Index>(random.below(edges))};
+        if (changes[static_cast<std::size_t>(flipped.id)].is_forbidden()) continue;
+        step % 3 == 0 ? triangulation.unflip(flipped) : triangulation.flip(flipped);
+        criterion->flipped(flipped);
+        std::vector<Edge> list;
+        criterion->append_affected(flipped, list);
+        const std::set<Edge> affected(list.begin(), list.end());
+        ASSERT_TRUE(affected.contains(flipped));
+        const auto fresh =
+            info(kind).needs_heights ? nullptr : make_criterion(kind, surface.view(), marked);
+        for (std::uint32_t i = 0; i < edges; ++i) {
+            const Edge e{static_cast<Index>(i)};
+            const Energy now = change(*criterion, e.id);
+            if (fresh) {
+                ASSERT_TRUE(agree(now, change(*fresh, e.id), size)) << "edge " << i;
+            }
+            if (!affected.contains(e)) {
+                ASSERT_TRUE(agree(now, changes[i], size)) << "edge " << i << " was not announced";
+            }
+            changes[i] = now;
+            if (now.is_forbidden()) continue;
+            const Energy improvement = criterion->improvement(e);
+            if (now < Energy(0) || improvement < Energy(0)) {
+                ASSERT_TRUE(agree(now, improvement, size)) << "edge " << i;
+            }
+        }
+    }
+}
+
+TEST(Criterion, AnnouncesTheEdgesThatAFlipMattersTo) {
+    for (const CriterionKind kind : kinds(false)) {
+        std::uint64_t seed = 1;
+        for (const Triangulation& family : all_families()) {
+            if (family.vertex_count() < 4) continue;
+            ++seed;
+            walk_asking_for_all(with_random_points(family, seed), kind, {}, seed, 25);
+            walk_asking_for_all(with_grid_points(family, seed, 2), kind, {}, seed, 25);
+        }
+    }
+    for (const CriterionKind kind : kinds(true)) {
+        HeightGrid grid = random_height_grid(6, 5);
+        walk_asking_for_all(std::move(grid.surface), kind, grid.marked, 5, 100);
+    }
+}
+
 TEST(Criterion, ValuesAreThoseOfTheWholeSurface) {
     const auto value = [](CriterionKind kind, const Surface& surface) {
         return make_criterion(kind, surface.view())->value();

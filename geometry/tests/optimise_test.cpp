@@ -7,6 +7,7 @@
 #include <tightflip/geometry/optimise.hpp>
 #include <tightflip/geometry/self_intersections.hpp>
 #include <tightflip/kernel/audit.hpp>
+#include <tightflip/kernel/random_flips.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -36,30 +37,134 @@ constexpr std::array criteria{"tight",       "mean",      "mean_weighted", "area
                               "edge_length", "volume",    "abn",           "abn_squares",
                               "delaunay",    "min_angle", "area+0.1*abn"};
 
+/// Optimises: the energy falls with each flip, no flip improves at the end, and the flips lead
+/// there.
+OptimiseResult expect_plain_search(const Surface& start, std::string_view name, FlipOrder order) {
+    SCOPED_TRACE(testing::Message() << name << (order == FlipOrder::best ? ", best" : ", first"));
+    Surface surface = start;
+    Energy last = parse_criterion(name, surface.view())->value();
+    OptimiseResult result = optimise_by(
+        surface, name, {.order = order, .keep_going = [&](std::int64_t, const Energy& now) {
+                            EXPECT_LT(now, last);
+                            last = now;
+                            return true;
+                        }});
+    EXPECT_EQ(result.end, OptimiseEnd::local_minimum);
+    EXPECT_NEAR(last.first(), result.after.first(), 1e-9 * (1 + std::abs(result.before.first())));
+    expect_local_minimum(surface, name);
+    Triangulation replayed = start.triangulation();
+    for (const Edge e : result.flips)
+        EXPECT_TRUE(replayed.flip(e));
+    EXPECT_EQ(replayed, surface.triangulation());
+    return result;
+}
+
 TEST(Optimise, EndsInALocalMinimumThatItsFlipsLeadTo) {
+    const Surface start = with_random_points(kernel::families::random(40, 0, 3), 5);
     for (const FlipOrder order : {FlipOrder::first, FlipOrder::best}) {
         for (const std::string_view name : criteria) {
-            SCOPED_TRACE(name);
-            const Surface start = with_random_points(kernel::families::random(40, 0, 3), 5);
-            Surface surface = start;
-            Energy last = parse_criterion(name, surface.view())->value();
-            const OptimiseResult result = optimise_by(
-                surface, name, {.order = order, .keep_going = [&](std::int64_t, const Energy& now) {
-                                    EXPECT_LT(now, last);
-                                    last = now;
-                                    return true;
-                                }});
-            EXPECT_EQ(result.end, OptimiseEnd::local_minimum);
-            EXPECT_GT(result.flips.size(), 5U);
-            EXPECT_LT(result.after, result.before);
-            EXPECT_NEAR(last.first(), result.after.first(),
-                        1e-9 * (1 + std::abs(result.before.first())));
-            expect_local_minimum(surface, name);
-            Triangulation replayed = start.triangulation();
-            for (const Edge e : result.flips)
-                EXPECT_TRUE(replayed.flip(e));
-            EXPECT_EQ(replayed, surface.triangulation());
+            const OptimiseResult result = expect_plain_search(start, name, order);
+            EXPECT_GT(result.flips.size(), 5U) << name;
+            EXPECT_LT(result.after, result.before) << name;
         }
+    }
+}
+
+TEST(Optimise, TheEnergyOfNoSurfaceRises) {
+    for (const FlipOrder order : {FlipOrder::first, FlipOrder::best}) {
+        for (const std::string_view name : criteria) {
+            std::uint64_t seed = 0;
+            for (const Triangulation& family : all_families()) {
+                ++seed;
+                expect_plain_search(with_random_points(family, seed), name, order);
+                expect_plain_search(with_grid_points(family, seed, 2), name, order);
+            }
+        }
+    }
+}
+
+/// The same surface with its edges in another order, turned about at random, and other labels.
+Surface disguised(const Surface& surface, std::uint64_t seed) {
+    const Triangulation& t = surface.triangulation();
+    kernel::RandomStream random(seed);
+    const auto shuffled = [&](Index count) {
+        std::vector<Index> order(static_cast<std::size_t>(count));
+        for (Index i = 0; i < count; ++i)
+            order[static_cast<std::size_t>(i)] = i;
+        random.shuffle(std::span(order));
+        return order;
+    };
+    std::vector<Index> halfedges(static_cast<std::size_t>(t.halfedge_count()));
+    const std::vector<Index> edges = shuffled(t.edge_count());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto side = static_cast<Index>(random.below(2));
+        halfedges[2 * e] = 2 * edges[e] + side;
+        halfedges[2 * e + 1] = 2 * edges[e] + 1 - side;
+    }
+    std::vector<kernel::HalfedgeRecord> records(halfedges.size());
+    for (std::size_t h = 0; h < halfedges.size(); ++h) {
+        kernel::HalfedgeRecord record = t.table()[h];
+        record.next.id = halfedges[static_cast<std::size_t>(record.next.id)];
+        records[static_cast<std::size_t>(halfedges[h])] = record;
+    }
+    const Surface renumbered(kernel::build(std::move(records), t.vertex_count()).value(),
+                             {surface.points().begin(), surface.points().end()});
+    return relabelled(renumbered, shuffled(t.vertex_count()));
+}
+
+TEST(Optimise, BestFirstEndsTheSameWhateverTheNumbers) {
+    // Points in general position and no parallel edges: nothing ties.
+    Surface start = data_sets::random_sphere(80, 3);
+    kernel::flip_at_random(start.triangulation(), {.count = 160, .seed = 3, .simple = true});
+    const Surface other = disguised(start, 7);
+    EXPECT_NE(other.triangulation(), start.triangulation());
+    for (const std::string_view name :
+         {"mean", "mean_weighted", "area", "edge_length", "volume", "abn_squares", "delaunay"}) {
+        const auto ended = [&](Surface surface) {
+            const OptimiseResult result = optimise_by(
+                surface, name, {.order = FlipOrder::best, .allowed = AllowedFlips::simple});
+            return std::pair(result.flips.size(), result.after);
+        };
+        const auto [flips, after] = ended(start);
+        const auto [other_flips, other_after] = ended(other);
+        EXPECT_EQ(flips, other_flips) << name;
+        EXPECT_GT(flips, 20U) << name;
+        EXPECT_EQ(after.levels[0] == 0, other_after.levels[0] == 0) << name;
+        for (std::size_t level = 0; level < Energy::max_levels; ++level) {
+            EXPECT_NEAR(after.levels[level], other_after.levels[level],
+                        1e-9 * std::abs(after.levels[level]))
+                << name;
+        }
+    }
+}
+
+TEST(Optimise, TracesTheEnergy) {
+    const Surface start = with_random_points(kernel::families::random(40, 0, 3), 5);
+    for (const FlipOrder order : {FlipOrder::first, FlipOrder::best}) {
+        std::vector<EnergyAt> all;
+        Surface surface = start;
+        const OptimiseResult result = optimise_by(
+            surface, "area",
+            {.order = order, .keep_going = [&](std::int64_t flips, const Energy& energy) {
+                 all.push_back({flips, energy});
+                 return true;
+             }});
+        EXPECT_TRUE(result.trace.empty());
+        all.insert(all.begin(), {0, result.before});
+        const auto flips = static_cast<std::int64_t>(result.flips.size());
+        for (const std::int64_t every : {std::int64_t{1}, std::int64_t{7}, flips, 10 * flips}) {
+            std::vector<EnergyAt> expected;
+            for (const EnergyAt& at : all) {
+                if (at.flips % every == 0 || at.flips == flips) expected.push_back(at);
+            }
+            surface = start;
+            EXPECT_EQ(optimise_by(surface, "area", {.order = order, .trace_every = every}).trace,
+                      expected);
+        }
+        // Of a local minimum, which is where this has led, there is one energy.
+        const auto again = optimise_by(surface, "area", {.trace_every = 1});
+        ASSERT_EQ(again.trace.size(), 1U);
+        EXPECT_EQ(again.trace.front(), (EnergyAt{0, again.before}));
     }
 }
 

@@ -65,6 +65,8 @@ void add_isomorphic(CLI::App& app, const Output& output, Action& action);
 void add_convert(CLI::App& app, const Output& output, Action& action);
 void add_measure(CLI::App& app, const Output& output, Action& action);
 void add_render(CLI::App& app, const Output& output, Action& action);
+void add_optimise(CLI::App& app, const Output& output, Action& action);
+void add_hull(CLI::App& app, const Output& output, Action& action);
 void add_info(CLI::App& app, const Output& output, Action& action);
 
 }  // namespace tightflip::tools

@@ -2,7 +2,9 @@
 #include "surface_input.hpp"
 #include <tightflip/kernel/file_io.hpp>
 #include <tightflip/kernel/flip_log.hpp>
+#include <tightflip/kernel/random_flips.hpp>
 
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,6 +19,7 @@ struct Options {
     std::string file;
     std::string script;
     std::vector<kernel::Index> edges;
+    kernel::RandomFlips random;
     std::string output_file;
     std::string log_file;
     InputOptions input;
@@ -25,6 +28,10 @@ struct Options {
 /// The flips to do, as a log that starts from the file's surface.
 FlipLog planned(const Options& options, const SurfaceInput& input) {
     FlipLog log{input.triangulation(), {}};
+    if (options.random.count > 0) {
+        Triangulation surface = log.start;
+        log.flips = flip_at_random(surface, options.random);
+    }
     if (!options.script.empty()) {
         FlipLog script = kernel::parse_flip_log(kernel::read_file(options.script), options.script);
         if (script.start != log.start) {
@@ -76,13 +83,16 @@ Exit flip(const Output& output, const Options& options) {
     const SurfaceInput input(options.file, options.input);
     const FlipLog log = planned(options, input);
     const kernel::Replay result = replay(log);
+    const std::size_t asked =
+        std::max(log.flips.size(), static_cast<std::size_t>(options.random.count));
     Json json{{"file", options.file},
-              {"complete", result.is_complete()},
+              {"complete", result.done == asked},
               {"flips_done", result.done},
-              {"flips", log.flips.size()}};
-    if (!result.is_complete()) {
+              {"flips", asked}};
+    if (result.done < asked) {
         const std::string reason =
-            fmt::format("flip {} of {}: {}", result.done + 1, log.flips.size(), result.reason);
+            fmt::format("flip {} of {}: {}", result.done + 1, asked,
+                        result.is_complete() ? "no edge can be flipped" : result.reason);
         json["reason"] = reason;
         output.say(fmt::format("{}: stopped at {}; nothing was written", options.file, reason));
         output.object(json);
@@ -100,13 +110,23 @@ Exit flip(const Output& output, const Options& options) {
 
 void add_flip(CLI::App& app, const Output& output, Action& action) {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("flip", "Flip edges of a surface by a log or by number");
+    CLI::App* verb =
+        app.add_subcommand("flip", "Flip edges of a surface by a log, by number or at random");
     verb->add_option("FILE", options->file, "Surface or mesh")->required();
     auto* script = verb->add_option("--script", options->script, "Flip log that starts from FILE");
     auto* edges = verb->add_option("--edges", options->edges, "Edges to flip, in order, e.g. 3,7,3")
                       ->delimiter(',')
                       ->check(whole_number());
     script->excludes(edges);
+    auto* random = verb->add_option("--random", options->random.count,
+                                    "Flip so many edges, drawn from those that can be flipped")
+                       ->check(whole_number(1))
+                       ->excludes(script)
+                       ->excludes(edges);
+    verb->add_option("--seed", options->random.seed, "Seed of the random stream (0)")
+        ->check(whole_number())
+        ->needs(random);
+    verb->add_flag("--simple", options->random.simple, "Make no parallel edge")->needs(random);
     verb->add_option("-o,--output", options->output_file,
                      "Write the flipped surface here, with the points of a FILE that has some in "
                      "the format of its extension (as make does)");
@@ -114,8 +134,8 @@ void add_flip(CLI::App& app, const Output& output, Action& action) {
     options->input.add_triangulate(*verb);
     options->input.add_reorient(*verb);
     verb->callback([&output, &action, options] {
-        if (options->script.empty() && options->edges.empty()) {
-            throw CLI::RequiredError("--script or --edges");
+        if (options->script.empty() && options->edges.empty() && options->random.count == 0) {
+            throw CLI::RequiredError("--script, --edges or --random");
         }
         if (!options->output_file.empty() && same_file(options->output_file, options->log_file)) {
             throw CLI::ValidationError("--log", "must be another file than --output");

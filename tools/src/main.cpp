@@ -25,7 +25,7 @@ int run(int argc, char** argv) {
     Action action;
     for (const auto add : {add_make, add_check, add_campaign, add_flip, add_replay, add_explore,
                            add_path, add_verify, add_canonical, add_isomorphic, add_convert,
-                           add_measure, add_render, add_info}) {
+                           add_measure, add_render, add_optimise, add_hull, add_info}) {
         add(app, output, action);
     }
     try {

@@ -33,7 +33,7 @@ void ProgressBar::show(const State& state) {
                                 static_cast<double>(state.total - state.done) / rate);
         }
     }
-    text += fmt::format("{} done, {:.3g} a second", state.done, rate);
+    text += fmt::format("{} done, {:.3g} a second  {}", state.done, rate, state.note);
     static_cast<void>(std::fputs(text.c_str(), stderr));
     static_cast<void>(std::fflush(stderr));
 }

@@ -19,6 +19,7 @@ public:
         std::uint64_t total = 0;  ///< 0 where nobody knows
         double seconds = 0;
         std::uint64_t done_before = 0;  ///< of `done`, not done in these seconds
+        std::string note{};             ///< shown at the end of the line
     };
     /// Redraws at most ten times a second: how much is done, how fast, how long it will take.
     void show(const State& state);

@@ -18,6 +18,36 @@ TEST_F(Flip, KeysAreAsDocumented) {
     expect_as_documented(
         "flip", run_json({"flip", "start", "--edges", "1,2", "-o", "end", "--log", "log"}));
     expect_as_documented("flip", run_json({"flip", "start", "--edges", "99"}, 1));
+    expect_as_documented("flip", run_json({"flip", "start", "--random", "9", "-o", "end"}));
+}
+
+TEST_F(Flip, AtRandomItMakesStartsThatASeedNames) {
+    const auto flipped = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"flip", "start", "--random", "200", "-o", "end"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Json json = run_json(arguments);
+        EXPECT_EQ(json["flips"], 200);
+        EXPECT_EQ(json["flips_done"], 200);
+        return read("end");
+    };
+    const std::string multigraph = flipped({"--seed", "2", "--log", "log"});
+    EXPECT_EQ(run_json({"check", "end"})["simple"], false);
+    EXPECT_EQ(run_json({"replay", "log"})["flips_done"], 200);
+    EXPECT_EQ(flipped({"--seed", "2"}), multigraph);
+    EXPECT_NE(flipped({"--seed", "3"}), multigraph);
+    EXPECT_EQ(flipped({"--seed", "0"}), flipped({}));
+    EXPECT_NE(flipped({"--simple", "--seed", "2"}), multigraph);
+    EXPECT_EQ(run_json({"check", "end"})["simple"], true);
+}
+
+TEST_F(Flip, AtRandomItStopsWhereNoEdgeCanBeFlipped) {
+    write("a.off", samples::off(4, samples::tetrahedron));
+    const Json json = run_json({"flip", "a.off", "--random", "3", "--simple", "-o", "end"}, 1);
+    EXPECT_EQ(json["complete"], false);
+    EXPECT_EQ(json["flips"], 3);
+    EXPECT_EQ(json["flips_done"], 0);
+    EXPECT_THAT(json["reason"].get<std::string>(), HasSubstr("flip 1 of 3: no edge can be"));
+    EXPECT_THAT(names(), UnorderedElementsAre("start", "a.off"));
 }
 
 TEST_F(Flip, ChangesTheSurfaceAndNotItsTopology) {

@@ -17,7 +17,7 @@ TEST_F(Usage, HelpAndVersionAreNoErrors) {
     EXPECT_THAT(help.out, HasSubstr("Exit codes"));
     for (const std::string verb :
          {"make", "check", "campaign", "flip", "replay", "explore", "path", "verify", "canonical",
-          "isomorphic", "convert", "measure", "render", "info"}) {
+          "isomorphic", "convert", "measure", "render", "optimise", "hull", "info"}) {
         EXPECT_THAT(help.out, HasSubstr("\n  " + verb + " "));
         const Outcome of_verb = run({verb, "--help"});
         EXPECT_EQ(of_verb.exit_code, 0) << verb;
@@ -42,7 +42,11 @@ TEST_F(Usage, WrongUsageIsExplainedOnStandardErrorAlone) {
         {{"make"}, {"KIND"}},
         {{"make", "book"}, {"--output"}},
         {{"flip"}, {"FILE"}},
-        {{"flip", "a"}, {"--script", "--edges"}},
+        {{"flip", "a"}, {"--script", "--edges", "--random"}},
+        {{"flip", "a", "--edges", "1", "--random", "3"}, {"--random"}},
+        {{"flip", "a", "--edges", "1", "--seed", "3"}, {"--seed", "--random"}},
+        {{"flip", "a", "--edges", "1", "--simple"}, {"--simple", "--random"}},
+        {{"flip", "a", "--random", "0"}, {"--random"}},
         {{"flip", "a", "--edges", "1", "--script", "b"}, {"--script"}},
         {{"flip", "a", "--edges", "1", "-o", "b", "--log", "b"}, {"--log"}},
         {{"measure"}, {"FILE"}},

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace tightflip::geometry {
 
@@ -28,9 +29,6 @@ public:
 
     /// Whether the sign of each change is exact, and 0 means none.
     [[nodiscard]] virtual bool has_exact_sign() const { return false; }
-    /// What a flip can change about the changes of other edges: those of all edges with a corner in
-    /// common with its faces, or only those at the faces beside them.
-    [[nodiscard]] virtual bool depends_on_stars() const { return false; }
 
     /// The value of the surface as it is now, from scratch; linear time.
     [[nodiscard]] virtual Energy value() const = 0;
@@ -40,8 +38,16 @@ public:
     /// whatever the size of the surface; does not allocate. Precondition: the flip is defined.
     [[nodiscard]] virtual Energy change(Edge e) = 0;
 
+    /// The same where the change is below zero; where it is not, perhaps another value that is not
+    /// below zero either and is sooner known. (Up to roundings.)
+    [[nodiscard]] virtual Energy improvement(Edge e) { return change(e); }
+
     /// To be called after each flip or unflip of an edge, done while no other was left unreported.
     virtual void flipped(Edge e) = 0;
+
+    /// Appends the edges whose changes may be others since the flip of `e` was reported, `e` among
+    /// them, some more than once. To be asked before the next flip.
+    virtual void append_affected(Edge e, std::vector<Edge>& edges) const = 0;
 };
 
 enum class CriterionKind : std::uint8_t {

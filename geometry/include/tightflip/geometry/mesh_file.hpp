@@ -40,6 +40,7 @@ struct MeshFileOptions {
     /// Cut polygons into fans about their first corner, without regard to their shape. Otherwise
     /// faces with more than three corners are refused.
     bool triangulate_polygons = false;
+    bool faces_required = true;           ///< refuse a file that has none
     Index max_faces = kernel::max_faces;  ///< more triangles are refused; never above the kernel's
 };
 

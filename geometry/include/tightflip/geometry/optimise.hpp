@@ -43,6 +43,16 @@ struct OptimiseOptions {
     /// Called after each flip with the flips done and the energy, from `before` and the changes
     /// since; false stops.
     std::function<bool(std::int64_t flips, const Energy& energy)> keep_going{};
+    /// The energy is traced before the first flip, after every so many, and at the end; 0: not.
+    std::int64_t trace_every = 0;
+};
+
+/// The energy after so many flips, from that before and the changes since.
+struct EnergyAt {
+    std::int64_t flips = 0;
+    Energy energy;
+
+    friend bool operator==(const EnergyAt&, const EnergyAt&) = default;
 };
 
 /// Why it ended.
@@ -57,15 +67,16 @@ struct OptimiseResult {
     OptimiseEnd end = OptimiseEnd::local_minimum;
     std::vector<Edge> flips;  ///< in order: with the triangulation before, a FlipLog
     Energy before;
-    Energy after;                ///< from scratch
-    std::int64_t evaluated = 0;  ///< changes asked of the criterion
+    Energy after;                 ///< from scratch
+    std::vector<EnergyAt> trace;  ///< in order of flips; empty unless asked for
+    std::int64_t evaluated = 0;   ///< changes asked of the criterion
 };
 
 /// Flips edges of the surface that `criterion` is bound to. Only edges whose change may be another
 /// after a flip are looked at again. The same for equal arguments, but for `max_time`. Every flip
 /// improves the energy, so that none is done for ever; stopped, it goes on when called again, from
-/// where it was but with all edges waiting anew. Per flip some tens of changes are asked of the
-/// criterion, and O(log n) more where the best is wanted.
+/// where it was but with all edges waiting anew. Per flip 5 to 20 changes are asked of the
+/// criterion, and O(log n) more time passes where the best is wanted.
 [[nodiscard]] OptimiseResult optimise(Triangulation& surface, Points points, Criterion& criterion,
                                       const OptimiseOptions& options = {});
 

@@ -1,0 +1,457 @@
+#include "escapes.hpp"
+#include <tightflip/geometry/composed_criteria.hpp>
+#include <tightflip/geometry/convexify.hpp>
+#include <tightflip/geometry/star_shaped.hpp>
+#include <tightflip/geometry/strategy.hpp>
+#include <tightflip/kernel/connect.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace tightflip::geometry {
+namespace {
+
+/// Other surfaces to start from, which a path of flips leads to.
+enum class Detour : std::uint8_t { none, hull, star };
+
+/// What a strategy consists of, in this order.
+struct Plan {
+    StrategyInfo info;
+    bool looks_ahead = false;
+    bool tries_both_orders = false;
+    std::array<Detour, 2> detours{};  ///< the first that is possible
+    bool needs_detour = false;
+    bool alternates = false;
+    bool kicks = false;
+};
+
+constexpr std::array plans{
+    Plan{.info = {Strategy::automatic, "automatic",
+                  "hull where wanted and possible; else star where possible, then alternate"},
+         .looks_ahead = true,
+         .tries_both_orders = true,
+         .detours = {Detour::hull, Detour::star},
+         .alternates = true},
+    Plan{.info = {Strategy::local, "local", "flip what improves until nothing does"}},
+    Plan{.info = {Strategy::look_ahead, "look_ahead",
+                  "local, then flips that only pay together with others near them"},
+         .looks_ahead = true},
+    Plan{.info = {Strategy::alternate, "alternate",
+                  "look_ahead in turn by area, edge length, mean curvature and the criterion"},
+         .looks_ahead = true,
+         .alternates = true},
+    Plan{.info = {Strategy::kicks, "kicks", "automatic, then random flips, repaired nearby"},
+         .looks_ahead = true,
+         .tries_both_orders = true,
+         .detours = {Detour::hull, Detour::star},
+         .alternates = true,
+         .kicks = true},
+    Plan{.info = {Strategy::star, "star",
+                  "look_ahead, from the start and from a star-shaped surface"},
+         .looks_ahead = true,
+         .detours = {Detour::star},
+         .needs_detour = true},
+    Plan{.info = {Strategy::hull, "hull", "a path to the convex hull of convex data"},
+         .looks_ahead = true,
+         .detours = {Detour::hull},
+         .needs_detour = true},
+};
+
+constexpr auto infos = [] {
+    std::array<StrategyInfo, plans.size()> all;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = plans[i].info;
+    return all;
+}();
+
+/// Criteria that lead out of minima of others (docs/optimisation.md).
+constexpr std::array helpers{CriterionKind::area, CriterionKind::edge_length,
+                             CriterionKind::mean_weighted};
+/// A round of these that gains less than this part of the energy is the last.
+constexpr double least_gain_of_a_round = 1e-3;
+constexpr std::array hull_wanted_by{CriterionKind::tight, CriterionKind::mean_weighted,
+                                    CriterionKind::volume};
+constexpr Index edges_of_a_kick = 3;
+constexpr std::int64_t kicks_per_vertex = 30;
+
+/// A criterion, but for the flips that another one forbids.
+class Within final : public Criterion {
+public:
+    Within(std::unique_ptr<Criterion> criterion, Criterion& bounds)
+        : criterion_(std::move(criterion)), bounds_(bounds) {}
+
+    [[nodiscard]] std::size_t level_count() const override { return criterion_->level_count(); }
+    [[nodiscard]] bool has_exact_sign() const override { return criterion_->has_exact_sign(); }
+    [[nodiscard]] Energy value() const override { return criterion_->value(); }
+    [[nodiscard]] Energy change(Edge e) override {
+        const Energy c = criterion_->change(e);
+        return bounds_.change(e).is_forbidden() ? Energy::forbidden() : c;
+    }
+    void flipped(Edge e) override {
+        criterion_->flipped(e);
+        bounds_.flipped(e);
+    }
+    void append_affected(Edge e, std::vector<Edge>& edges) const override {
+        criterion_->append_affected(e, edges);
+        bounds_.append_affected(e, edges);
+    }
+
+private:
+    std::unique_ptr<Criterion> criterion_;
+    Criterion& bounds_;
+};
+
+/// Whether there are flips that the criterion does not allow.
+bool forbids_flips(const Triangulation& surface, Criterion& criterion) {
+    for (Index e = 0; e < surface.edge_count(); ++e) {
+        if (surface.can_flip(Edge{e}) && criterion.change(Edge{e}).is_forbidden()) return true;
+    }
+    return false;
+}
+
+/// A surface on its way down, with the flips that led there and the best that it has been. The
+/// wanted criterion is bound to the start and told every flip from there.
+class Descent {
+public:
+    Descent(const Triangulation& start, Points points, const Goal& goal,
+            const OptimiseOptions& options, Effort& effort)
+        : surface_(start),
+          points_(points),
+          wanted_(goal.make(view())),
+          options_(options),
+          effort_(effort),
+          best_(wanted_->value()) {}
+
+    /// Local search, and ahead if asked.
+    void descend(bool looks_ahead) {
+        search(*wanted_, true, looks_ahead);
+        note();
+    }
+
+    void alternate() {
+        const bool has_bounds = forbids_flips(surface_, *wanted_);
+        double before = 0;
+        do {
+            before = best_.first();
+            for (const CriterionKind kind : helpers) {
+                auto helper = make_criterion(kind, view());
+                if (has_bounds) {
+                    Within within(std::move(helper), *wanted_);
+                    search(within, false, true);
+                } else {
+                    const std::size_t told = flips_.size();
+                    search(*helper, false, true);
+                    tell_wanted(told);
+                }
+            }
+            descend(true);
+        } while (!effort_.end() &&
+                 best_.first() < before - least_gain_of_a_round * std::abs(before));
+        go_back_to_best();
+    }
+
+    void kick() {
+        Escapes escapes(surface_, points_, *wanted_, true, options_, effort_, flips_);
+        kernel::RandomStream random(options_.seed);
+        escapes.kick(kicks_per_vertex * surface_.vertex_count(), edges_of_a_kick, random);
+        escapes.look_ahead();
+        evaluated_ += escapes.evaluated();
+        note();
+    }
+
+    /// False where the limits do not let it.
+    bool follow(std::span<const Edge> path) {
+        if (!effort_.has_flips(static_cast<std::int64_t>(path.size()))) return false;
+        for (const Edge e : path) {
+            flip(e);
+            if (!effort_.made_flip()) return false;
+        }
+        return true;
+    }
+
+    /// Takes the surface for the best.
+    void settle() {
+        best_ = wanted_->value();
+        best_length_ = flips_.size();
+    }
+
+    /// Takes back what did not help.
+    void go_back_to_best() {
+        while (flips_.size() > best_length_)
+            unflip();
+    }
+
+    /// Of the surface after `go_back_to_best`.
+    [[nodiscard]] Energy energy() const { return wanted_->value(); }
+    [[nodiscard]] const Energy& best() const noexcept { return best_; }
+    [[nodiscard]] std::int64_t evaluated() const noexcept { return evaluated_; }
+    [[nodiscard]] const Triangulation& surface() const noexcept { return surface_; }
+    [[nodiscard]] std::vector<Edge>& flips() noexcept { return flips_; }
+
+private:
+    [[nodiscard]] SurfaceView view() const { return {surface_.table(), points_}; }
+
+    void flip(Edge e) {
+        static_cast<void>(surface_.flip(e));
+        wanted_->flipped(e);
+        flips_.push_back(e);
+    }
+    void unflip() {
+        static_cast<void>(surface_.unflip(flips_.back()));
+        wanted_->flipped(flips_.back());
+        flips_.pop_back();
+    }
+
+    /// Does the flips from the one of that number on again, for the wanted criterion to see.
+    void tell_wanted(std::size_t first) {
+        const std::vector<Edge> untold(flips_.begin() + static_cast<std::ptrdiff_t>(first),
+                                       flips_.end());
+        for (; flips_.size() > first; flips_.pop_back())
+            static_cast<void>(surface_.unflip(flips_.back()));
+        for (const Edge e : untold)
+            flip(e);
+    }
+
+    void search(Criterion& criterion, bool is_wanted, bool looks_ahead) {
+        if (effort_.end()) return;
+        OptimiseOptions options = effort_.rest();
+        options.order = options_.order;
+        options.trace_every = 0;
+        if (!is_wanted) options.least_gain.reset();
+        options.keep_going = [&](std::int64_t, const Energy& energy) {
+            if (is_wanted) effort_.reached(energy);
+            return effort_.made_flip();
+        };
+        const OptimiseResult result = optimise(surface_, points_, criterion, options);
+        flips_.insert(flips_.end(), result.flips.begin(), result.flips.end());
+        evaluated_ += result.evaluated;
+        if (result.end != OptimiseEnd::local_minimum) effort_.stop(result.end);
+        if (!looks_ahead || effort_.end()) return;
+        Escapes escapes(surface_, points_, criterion, is_wanted, options_, effort_, flips_);
+        escapes.look_ahead();
+        evaluated_ += escapes.evaluated();
+    }
+
+    void note() {
+        if (wanted_->value() < best_) settle();
+    }
+
+    Triangulation surface_;
+    Points points_;
+    std::unique_ptr<Criterion> wanted_;
+    const OptimiseOptions& options_;
+    Effort& effort_;
+    std::vector<Edge> flips_;
+    Energy best_;
+    std::size_t best_length_ = 0;
+    std::int64_t evaluated_ = 0;
+};
+
+Point centroid(Points points) {
+    Point sum = Point::Zero();
+    for (const Point& p : points)
+        sum += p / static_cast<double>(points.size());
+    return sum;
+}
+
+/// A path of flips, or why there is none.
+struct Path {
+    StrategyRefusal refusal{};
+    std::vector<Edge> flips{};
+    std::optional<OptimiseEnd> end{};  ///< a limit, on the way
+};
+
+Path path_to_star(const Triangulation& surface, Points points) {
+    const auto star = star_shaped_surface({points.begin(), points.end()}, centroid(points));
+    if (!star) return {.refusal = {StrategyFault::data, star.refusal()}};
+    return {.flips = connect(surface, star.value().surface.triangulation()).value().flips};
+}
+
+Path path_to_hull(Triangulation surface, Points points, Effort& effort) {
+    const OptimiseOptions rest = effort.rest();
+    const ConvexifyOptions limits{
+        .max_flips = rest.max_flips,
+        .max_time = rest.max_time,
+        .keep_going = [&](std::int64_t) { return effort.may_go_on(); },
+    };
+    ConvexifyResult result = convexify(surface, points, limits);
+    switch (result.end) {
+        case ConvexifyEnd::convex:
+            return {.flips = std::move(result.flips)};
+        case ConvexifyEnd::flip_limit:
+            return {.end = OptimiseEnd::flip_limit};
+        case ConvexifyEnd::time_limit:
+            return {.end = OptimiseEnd::time_limit};
+        case ConvexifyEnd::stopped:
+            return {.end = OptimiseEnd::stopped};
+        case ConvexifyEnd::not_a_sphere:
+            return {.refusal = {StrategyFault::not_a_sphere}};
+        case ConvexifyEnd::not_reached:
+            return {.refusal = {StrategyFault::too_flat}};
+        case ConvexifyEnd::unfit_data:
+            break;
+    }
+    return {.refusal = {StrategyFault::data, result.data}};
+}
+
+/// Why no path can be taken that may need any flip.
+StrategyFault what_blocks_paths(const Triangulation& surface, Criterion& criterion,
+                                const OptimiseOptions& options) {
+    if (surface.genus() != 0) return StrategyFault::not_a_sphere;
+    if (!options.locked.empty()) return StrategyFault::locked_edges;
+    if (options.allowed != AllowedFlips::all || forbids_flips(surface, criterion)) {
+        return StrategyFault::restricted_flips;
+    }
+    return StrategyFault::none;
+}
+
+/// The energies along the flips made.
+std::vector<EnergyAt> trace(Triangulation surface, Points points, const Goal& goal,
+                            const StrategyResult& result, std::int64_t every) {
+    const auto criterion = goal.make({surface.table(), points});
+    std::vector<EnergyAt> energies{{0, result.before}};
+    Energy energy = result.before;
+    std::int64_t done = 0;
+    for (const Edge e : result.flips) {
+        energy += criterion->change(e);
+        static_cast<void>(surface.flip(e));
+        criterion->flipped(e);
+        if (++done % every == 0) energies.push_back({done, energy});
+    }
+    if (energies.back().flips != done) energies.push_back({done, energy});
+    return energies;
+}
+
+struct Route {
+    Detour detour = Detour::none;
+    Path path{};
+};
+
+/// The first detour of the plan that is possible, or why the last is not. The hull is one where it
+/// is wanted or asked for.
+Route find_route(const Plan& plan, const Triangulation& surface, Points points, const Goal& goal,
+                 const OptimiseOptions& options, Effort& effort) {
+    Route route;
+    for (const Detour detour : plan.detours) {
+        const bool is_hull = detour == Detour::hull;
+        if (detour == Detour::none || (is_hull && !plan.needs_detour && !goal.wants_hull)) {
+            continue;
+        }
+        const auto criterion = goal.make({surface.table(), points});
+        const StrategyFault blocked = what_blocks_paths(surface, *criterion, options);
+        if (blocked != StrategyFault::none) return {Detour::none, {.refusal = {blocked}}};
+        route.path =
+            is_hull ? path_to_hull(surface, points, effort) : path_to_star(surface, points);
+        if (route.path.end) return route;
+        if (route.path.refusal.fault == StrategyFault::none) return {detour, std::move(route.path)};
+    }
+    return route;
+}
+
+}  // namespace
+
+std::span<const StrategyInfo> all_strategies() {
+    return infos;
+}
+
+const StrategyInfo& info(Strategy strategy) {
+    return infos.at(static_cast<std::size_t>(strategy));
+}
+
+std::optional<Strategy> strategy_by_name(std::string_view name) {
+    const auto* const found = std::ranges::find(infos, name, &StrategyInfo::name);
+    if (found == infos.end()) return std::nullopt;
+    return found->strategy;
+}
+
+Goal goal_by_text(const std::string& text, Vertex marked) {
+    const auto kind = criterion_by_name(text);
+    return {[text, marked](const SurfaceView& surface) {
+                return parse_criterion(text, surface, marked);
+            },
+            kind && std::ranges::find(hull_wanted_by, *kind) != hull_wanted_by.end()};
+}
+
+std::string message(const StrategyRefusal& refusal) {
+    switch (refusal.fault) {
+        case StrategyFault::none:
+            return {};
+        case StrategyFault::locked_edges:
+            return "the strategy may have to flip any edge: lock none, or take another strategy";
+        case StrategyFault::restricted_flips:
+            return "the strategy needs all flips: allow them all, take a criterion that forbids "
+                   "none, or take another strategy";
+        case StrategyFault::not_a_sphere:
+            return "the strategy is for genus 0 alone: take another strategy";
+        case StrategyFault::data:
+            return message(refusal.data) + ": take another strategy";
+        case StrategyFault::too_flat:
+            return message(ConvexifyResult{.end = ConvexifyEnd::not_reached}) +
+                   ": take another strategy";
+    }
+    return {};
+}
+
+StrategyResult optimise_by(Strategy strategy, Triangulation& surface, Points points,
+                           const Goal& goal, const OptimiseOptions& options) {
+    const Plan& plan = plans.at(static_cast<std::size_t>(strategy));
+    StrategyResult result;
+    result.used = strategy == Strategy::automatic ? Strategy::alternate : strategy;
+    result.before = goal.make({surface.table(), points})->value();
+    result.after = result.before;
+
+    Effort effort(options, result.before);
+    const Route route = find_route(plan, surface, points, goal, options, effort);
+    if (plan.needs_detour && route.path.refusal.fault != StrategyFault::none) {
+        result.refusal = route.path.refusal;
+        return result;
+    }
+    // With fewer flips than that something may still be done.
+    if (route.path.end && *route.path.end != OptimiseEnd::flip_limit) effort.stop(*route.path.end);
+
+    Descent direct(surface, points, goal, options, effort);
+    OptimiseOptions reordered_options = options;
+    reordered_options.order =
+        options.order == FlipOrder::first ? FlipOrder::best : FlipOrder::first;
+    std::optional<Descent> reordered;
+    std::optional<Descent> detour;
+    if (route.detour != Detour::none) detour.emplace(surface, points, goal, options, effort);
+    Descent* best = &direct;
+    if (route.detour == Detour::hull && goal.wants_hull) {
+        if (detour->follow(route.path.flips)) detour->settle();
+        best = &*detour;
+    } else {
+        direct.descend(plan.looks_ahead);
+        if (plan.tries_both_orders && !effort.end()) {
+            reordered.emplace(surface, points, goal, reordered_options, effort);
+            reordered->descend(plan.looks_ahead);
+            if (reordered->best() < direct.best()) best = &*reordered;
+        }
+        if (detour && detour->follow(route.path.flips)) {
+            detour->descend(plan.looks_ahead);
+            if (detour->best() < best->best()) best = &*detour;
+        }
+        if (plan.alternates) best->alternate();
+        if (plan.kicks) best->kick();
+    }
+    best->go_back_to_best();
+
+    if (strategy == Strategy::automatic && detour && best == &*detour) {
+        result.used = route.detour == Detour::hull ? Strategy::hull : Strategy::star;
+    }
+    result.flips = std::move(best->flips());
+    result.after = best->energy();
+    for (const Descent* descent :
+         {&direct, reordered ? &*reordered : nullptr, detour ? &*detour : nullptr}) {
+        if (descent != nullptr) result.evaluated += descent->evaluated();
+    }
+    result.end = effort.end().value_or(route.path.end.value_or(OptimiseEnd::local_minimum));
+    if (options.trace_every > 0) {
+        result.trace = trace(surface, points, goal, result, options.trace_every);
+    }
+    surface = best->surface();
+    return result;
+}
+
+}  // namespace tightflip::geometry

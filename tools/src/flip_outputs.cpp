@@ -1,0 +1,33 @@
+#include "flip_outputs.hpp"
+
+#include <tightflip/kernel/file_io.hpp>
+
+#include <filesystem>
+
+namespace tightflip::tools {
+
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(a, ignored) ==
+           std::filesystem::weakly_canonical(b, ignored);
+}
+
+void FlipOutputs::require_distinct() const {
+    if (!surface.empty() && !log.empty() && same_file(surface, log)) {
+        throw CLI::ValidationError("--log", "must be another file than --output");
+    }
+}
+
+void FlipOutputs::write(const kernel::FlipLogView& flips,
+                        const std::function<void(const std::string& file)>& write_surface) const {
+    const auto write_end = [&] {
+        if (!surface.empty()) write_surface(surface);
+    };
+    if (log.empty()) return write_end();
+    kernel::write_file(log, [&](std::ostream& out) {
+        binary ? write_binary(out, flips) : write_text(out, flips);
+        if (out.flush()) write_end();  // before the log takes its name
+    });
+}
+
+}  // namespace tightflip::tools
