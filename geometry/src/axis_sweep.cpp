@@ -1,10 +1,9 @@
 #include "axis_sweep.hpp"
 
-#include "scaled_points.hpp"
 #include <tightflip/kernel/random.hpp>
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -31,13 +30,14 @@ std::optional<Touching> touching_axis(Points points, kernel::RandomStream& rando
     const Point across = up.cross(random_point(random)).normalized();
     const Point forth = up.cross(across);
     if (!up.allFinite() || !across.allFinite()) return std::nullopt;
-    const auto lowest =
-        std::ranges::min_element(points, {}, [&](const Point& point) { return up.dot(point); });
-    double extent = 0;
+    const auto lowest = std::ranges::min_element(
+        points, {}, [&](const Point& point) { return up.dot(0.25 * point); });
+    double reach = 0;  // a part of the extent, which might be too large for a number
     for (const Point& point : points)
-        extent = std::max(extent, (point - *lowest).cwiseAbs().maxCoeff());
-    const Point o = *lowest + extent * across;
-    const Point q = *lowest + extent * forth;
+        reach = std::max(reach, (0.25 * point - 0.25 * *lowest).cwiseAbs().maxCoeff());
+    const Point o = *lowest + reach * across;
+    const Point q = *lowest + reach * forth;
+    if (!o.allFinite() || !q.allFinite()) return std::nullopt;
     const bool touches = std::ranges::all_of(points, [&](const Point& point) {
         return &point == &*lowest || orientation(*lowest, o, q, point) == Sign::positive;
     });

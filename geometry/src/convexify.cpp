@@ -146,6 +146,7 @@ private:
     }
     /// The result, if the stage is the last.
     [[nodiscard]] std::optional<ConvexifyResult> accept(Stage stage, ConvexifyWay way) const {
+        if (std::ssize(stage.flips) > options_.max_flips) stage.stopped = ConvexifyEnd::flip_limit;
         if (stage.stopped) return ConvexifyResult{.end = *stage.stopped};
         if (!is_convex(stage.surface)) return std::nullopt;
         surface_ = std::move(stage.surface);

@@ -125,6 +125,8 @@ public:
             locked_.at(static_cast<std::size_t>(e.id)) = 1;
         result_.before = criterion.value();
         energy_ = result_.before;
+        sure_value_ = result_.before;
+        flips_between_sure_ = std::int64_t{4} * surface.edge_count();
         const double share = std::abs(energy_.first()) / std::max(1, surface.edge_count());
         least_gain_ = options.least_gain.value_or(criterion.has_exact_sign() ? 0 : 1e-12 * share);
         enqueue_all();
@@ -197,7 +199,29 @@ private:
         if (options_.keep_going && !options_.keep_going(flips_done(), energy_)) {
             return OptimiseEnd::stopped;
         }
+        if (!criterion_.has_exact_sign() && flips_done() - sure_flips_ >= flips_between_sure_ &&
+            !make_sure()) {
+            return OptimiseEnd::local_minimum;
+        }
         return std::nullopt;
+    }
+
+    /// Takes the value anew. Where it has not fallen since the last time, whatever the changes say,
+    /// takes the flips since back.
+    bool make_sure() {
+        const Energy value = criterion_.value();
+        if (value < sure_value_) {
+            sure_value_ = value;
+            sure_flips_ = flips_done();
+            return true;
+        }
+        for (; flips_done() > sure_flips_; result_.flips.pop_back()) {
+            static_cast<void>(surface_.unflip(result_.flips.back()));
+            criterion_.flipped(result_.flips.back());
+        }
+        std::erase_if(result_.trace, [&](const EnergyAt& at) { return at.flips > sure_flips_; });
+        energy_ = sure_value_;
+        return false;
     }
 
     [[nodiscard]] std::int64_t flips_done() const {
@@ -272,6 +296,10 @@ private:
     std::vector<char> locked_;
     double least_gain_ = 0;
     Energy energy_;
+    /// The value from scratch, last taken after so many flips.
+    Energy sure_value_;
+    std::int64_t sure_flips_ = 0;
+    std::int64_t flips_between_sure_ = 0;
     OptimiseResult result_;
     Clock::time_point begin_ = Clock::now();
 };

@@ -155,7 +155,7 @@ TEST(Convexify, TakesTheShortWayWhereThereIsOne) {
 }
 
 TEST(Convexify, DoesNotDependOnTheSizeOfCoordinates) {
-    for (const double unit : {0x1p-300, 1e-9, 1e9, 0x1p300}) {
+    for (const double unit : {0x1p-1060, 0x1p-300, 1e-9, 1e9, 0x1p300, 0x1p1023}) {
         std::vector<Point> points = sphere_points(50, 2);
         for (Point& point : points)
             point *= unit;
@@ -223,6 +223,9 @@ TEST(Convexify, StopsAtItsLimitsAndLeavesTheSurface) {
         EXPECT_EQ(surface, start);
     };
     expect_end(ConvexifyEnd::flip_limit, {.max_flips = 5000});
+    const auto needed = static_cast<std::int64_t>(expect_convex(start, points).flips.size());
+    expect_end(ConvexifyEnd::flip_limit, {.max_flips = needed - 1});
+    expect_convex(start, points, {.max_flips = needed});
     expect_end(ConvexifyEnd::time_limit, {.max_time = std::chrono::duration<double>(0)});
     std::int64_t seen = 0;
     expect_end(ConvexifyEnd::stopped, {.keep_going = [&](std::int64_t flips) {

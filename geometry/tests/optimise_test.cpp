@@ -329,5 +329,36 @@ TEST(Optimise, LawsonsProcedureMakesHeightsDelaunay) {
         EXPECT_GE(fresh->change(Edge{e}).first(), 0);
 }
 
+/// Says of every flip that it improves, and never does.
+class FalsePromise final : public Criterion {
+public:
+    explicit FalsePromise(Energy value) : value_(value) {}
+
+    [[nodiscard]] Energy value() const override { return value_; }
+    [[nodiscard]] Energy change(Edge /*e*/) override { return -1; }
+    void flipped(Edge /*e*/) override { ++reports; }
+    void append_affected(Edge e, std::vector<Edge>& edges) const override { edges.push_back(e); }
+
+    int reports = 0;
+
+private:
+    Energy value_;
+};
+
+TEST(Optimise, EndsWhereChangesPromiseWhatValuesDoNotKeep) {
+    for (const FlipOrder order : {FlipOrder::first, FlipOrder::best}) {
+        Surface surface = octahedron();
+        const Triangulation start = surface.triangulation();
+        FalsePromise criterion(7.0);
+        const OptimiseResult result = optimise(surface.triangulation(), surface.points(), criterion,
+                                               {.order = order, .trace_every = 1});
+        EXPECT_EQ(result.end, OptimiseEnd::local_minimum);
+        EXPECT_TRUE(result.flips.empty());
+        EXPECT_EQ(surface.triangulation(), start);
+        EXPECT_GT(criterion.reports, 0);
+        EXPECT_EQ(result.trace.back(), (EnergyAt{0, 7.0}));
+    }
+}
+
 }  // namespace
 }  // namespace tightflip::geometry

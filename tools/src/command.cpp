@@ -127,4 +127,8 @@ CLI::Validator length() {
     return finite_from_zero("length");
 }
 
+CLI::Validator file_name() {
+    return {[](std::string& text) { return text.empty() ? "a file needs a name" : ""; }, ""};
+}
+
 }  // namespace tightflip::tools

@@ -44,11 +44,13 @@ public:
 [[nodiscard]] Exit for_each_input(const Output& output, const std::vector<std::string>& inputs,
                                   const std::function<Exit(const std::string&)>& judge);
 
-/// Checks of options: a whole number not below `least`, a number of seconds, and a length. The
-/// parser alone would take -1 for the largest number there is, and "nan" for a time.
+/// Checks of options: a whole number not below `least`, a number of seconds, a length, and a name
+/// that is not empty. The parser alone would take -1 for the largest number there is, "nan" for a
+/// time, and an empty name for none.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t least = 0);
 [[nodiscard]] CLI::Validator seconds();
 [[nodiscard]] CLI::Validator length();
+[[nodiscard]] CLI::Validator file_name();
 
 /// A verb adds its options to the application and keeps what to do when it is called.
 using Action = std::function<Exit()>;

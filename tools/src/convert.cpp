@@ -86,7 +86,9 @@ void add_convert(CLI::App& app, const Output& output, Action& action) {
     CLI::App* verb = app.add_subcommand(
         "convert", "Write a surface in another format, mended where options ask for it");
     verb->add_option("FILE", options->file, "Surface or mesh")->required();
-    verb->add_option("-o,--output", options->output_file, "File to write")->required();
+    verb->add_option("-o,--output", options->output_file, "File to write")
+        ->check(file_name())
+        ->required();
     verb->add_option(
             "--format", options->format,
             "Format to write (else by the extension of the output: .obj, .off, .ply, .stl, "

@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "flip_outputs.hpp"
 #include "surface_input.hpp"
 #include <tightflip/kernel/file_io.hpp>
 #include <tightflip/kernel/flip_log.hpp>
@@ -20,8 +21,7 @@ struct Options {
     std::string script;
     std::vector<kernel::Index> edges;
     kernel::RandomFlips random;
-    std::string output_file;
-    std::string log_file;
+    FlipOutputs outputs;
     InputOptions input;
 };
 
@@ -50,13 +50,6 @@ bool has_points(const SurfaceInput& input) {
     return input.format() != "tightflip-triangulation" && input.format() != "tightflip-gluing";
 }
 
-/// Whether two names lead to one file, existing or not.
-bool same_file(const std::string& a, const std::string& b) {
-    std::error_code ignored;
-    return std::filesystem::weakly_canonical(a, ignored) ==
-           std::filesystem::weakly_canonical(b, ignored);
-}
-
 /// The surface, with the points that the input has.
 void write_surface(const std::string& file, const SurfaceInput& input, const Triangulation& t) {
     if (has_points(input)) {
@@ -64,19 +57,6 @@ void write_surface(const std::string& file, const SurfaceInput& input, const Tri
         return geometry::write_surface_file(file, {t.table(), start.points()});
     }
     kernel::write_file(file, [&](std::ostream& out) { write_text(out, t); });
-}
-
-/// The files asked for: both or, where one cannot be written, neither.
-void write(const Options& options, const SurfaceInput& input, const FlipLog& log,
-           const Triangulation& surface) {
-    const auto write_end = [&] {
-        if (!options.output_file.empty()) write_surface(options.output_file, input, surface);
-    };
-    if (options.log_file.empty()) return write_end();
-    kernel::write_file(options.log_file, [&](std::ostream& out) {
-        write_text(out, log);
-        if (out.flush()) write_end();  // before the log takes its name
-    });
 }
 
 Exit flip(const Output& output, const Options& options) {
@@ -98,9 +78,10 @@ Exit flip(const Output& output, const Options& options) {
         output.object(json);
         return Exit::does_not_hold;
     }
-    write(options, input, log, result.surface);
-    if (!options.output_file.empty()) json["output"] = options.output_file;
-    if (!options.log_file.empty()) json["log"] = options.log_file;
+    options.outputs.write(
+        log, [&](const std::string& file) { write_surface(file, input, result.surface); });
+    if (!options.outputs.surface.empty()) json["output"] = options.outputs.surface;
+    if (!options.outputs.log.empty()) json["log"] = options.outputs.log;
     output.say(fmt::format("{}: {} flips done", options.file, result.done));
     output.object(json);
     return Exit::holds;
@@ -127,19 +108,19 @@ void add_flip(CLI::App& app, const Output& output, Action& action) {
         ->check(whole_number())
         ->needs(random);
     verb->add_flag("--simple", options->random.simple, "Make no parallel edge")->needs(random);
-    verb->add_option("-o,--output", options->output_file,
+    verb->add_option("-o,--output", options->outputs.surface,
                      "Write the flipped surface here, with the points of a FILE that has some in "
-                     "the format of its extension (as make does)");
-    verb->add_option("--log", options->log_file, "Write the flips as a log here");
+                     "the format of its extension (as make does)")
+        ->check(file_name());
+    verb->add_option("--log", options->outputs.log, "Write the flips as a log here")
+        ->check(file_name());
     options->input.add_triangulate(*verb);
     options->input.add_reorient(*verb);
     verb->callback([&output, &action, options] {
         if (options->script.empty() && options->edges.empty() && options->random.count == 0) {
             throw CLI::RequiredError("--script, --edges or --random");
         }
-        if (!options->output_file.empty() && same_file(options->output_file, options->log_file)) {
-            throw CLI::ValidationError("--log", "must be another file than --output");
-        }
+        require_distinct({{"--output", options->outputs.surface}, {"--log", options->outputs.log}});
         action = [&output, options] {
             return for_each_input(output, {options->file},
                                   [&](const std::string&) { return flip(output, *options); });

@@ -6,15 +6,24 @@
 
 namespace tightflip::tools {
 
+namespace {
+
 bool same_file(const std::string& a, const std::string& b) {
     std::error_code ignored;
     return std::filesystem::weakly_canonical(a, ignored) ==
            std::filesystem::weakly_canonical(b, ignored);
 }
 
-void FlipOutputs::require_distinct() const {
-    if (!surface.empty() && !log.empty() && same_file(surface, log)) {
-        throw CLI::ValidationError("--log", "must be another file than --output");
+}  // namespace
+
+void require_distinct(const std::vector<NamedFile>& files) {
+    for (auto later = files.begin(); later != files.end(); ++later) {
+        for (auto earlier = files.begin(); earlier != later; ++earlier) {
+            if (later->file.empty() || earlier->file.empty()) continue;
+            if (!same_file(later->file, earlier->file)) continue;
+            throw CLI::ValidationError(later->option,
+                                       "must be another file than " + earlier->option);
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -17,14 +18,19 @@ struct FlipOutputs {
     std::string log;
     bool binary = false;
 
-    /// Throws CLI::ValidationError where both names lead to one file.
-    void require_distinct() const;
     /// Writes both files or, where one cannot be written, neither.
     void write(const kernel::FlipLogView& flips,
                const std::function<void(const std::string& file)>& write_surface) const;
 };
 
-/// Whether two names lead to one file, existing or not.
-[[nodiscard]] bool same_file(const std::string& a, const std::string& b);
+/// A name given to an option.
+struct NamedFile {
+    std::string option;
+    std::string file;
+};
+
+/// Throws CLI::ValidationError, naming both options, where two lead to one file, existing or not.
+/// Empty names stand for options that were not given.
+void require_distinct(const std::vector<NamedFile>& files);
 
 }  // namespace tightflip::tools

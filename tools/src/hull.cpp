@@ -143,8 +143,10 @@ void add_hull(CLI::App& app, const Output& output, Action& action) {
         ->required();
     verb->add_option("-o,--output", options->outputs.surface,
                      "Write the hull here, in the format of its extension (as make does)")
+        ->check(file_name())
         ->required();
-    verb->add_option("--log", options->outputs.log, "Write the flips from the start, a book, here");
+    verb->add_option("--log", options->outputs.log, "Write the flips from the start, a book, here")
+        ->check(file_name());
     verb->add_flag("--binary", options->outputs.binary, "Write the log's binary form");
     verb->add_flag("--leave-out", options->leave_out,
                    "Leave out points inside the hull, and copies (else refused)");
@@ -153,7 +155,8 @@ void add_hull(CLI::App& app, const Output& output, Action& action) {
     verb->add_option("--time", options->seconds, "Stop after that many seconds, undecided")
         ->check(seconds());
     verb->callback([&output, &action, options] {
-        options->outputs.require_distinct();
+        require_distinct({{"--output", options->outputs.surface}, {"--log", options->outputs.log}});
+        require_distinct({{"POINTS", options->file}, {"--log", options->outputs.log}});
         action = [&output, options] {
             return for_each_input(output, {options->file},
                                   [&](const std::string&) { return hull(output, *options); });

@@ -68,6 +68,7 @@ void add_make(CLI::App& app, const Output& output, Action& action) {
             "-o,--output", options->file,
             "File to write; data with points in the format of its extension (.obj, .off, .ply, "
             ".stl; .tfs or none: tightflip-surface)")
+        ->check(file_name())
         ->required();
     verb->callback([&output, &action, options] {
         action = [&output, options] {

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -114,14 +116,20 @@ private:
         }
         return {*options_.marked};
     }
+    [[nodiscard]] Edge existing(Edge e) const {
+        const kernel::Index edges = course_.start.triangulation().edge_count();
+        if (e.id < edges) return e;
+        throw std::invalid_argument(fmt::format(
+            "there is no edge {} to --lock: the surface has {}, numbered from 0", e.id, edges));
+    }
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(Clock::now() - begin_).count();
     }
     OptimiseOptions limits(std::int64_t flips_before) {
         OptimiseOptions limits = options_.search;
-        locked_.assign(options_.locked.size(), {});
-        std::ranges::transform(options_.locked, locked_.begin(),
-                               [](kernel::Index e) { return Edge{e}; });
+        locked_.clear();
+        for (const kernel::Index e : options_.locked)
+            locked_.push_back(existing(Edge{e}));
         limits.locked = locked_;
         if (options_.seconds) {
             limits.max_time = std::chrono::duration<double>(*options_.seconds - seconds());
@@ -165,13 +173,16 @@ std::string_view name(OptimiseEnd end) {
     return "";
 }
 
-/// A number or, for a criterion of several levels, an array.
+/// A number or, for a criterion of several levels, an array. Measures that leave the range of
+/// doubles are their largest (see ScaledPoints), and none in JSON.
 Json energy_json(const Energy& energy, std::size_t levels) {
-    if (levels == 1) return energy.first();
     Json json = Json::array();
-    for (std::size_t level = 0; level < levels; ++level)
-        json.push_back(energy.levels.at(level));
-    return json;
+    for (std::size_t level = 0; level < levels; ++level) {
+        const double value = energy.levels.at(level);
+        const bool is_known = std::abs(value) < std::numeric_limits<double>::max();
+        json.push_back(is_known ? Json(value) : Json(nullptr));
+    }
+    return levels == 1 ? json.front() : json;
 }
 
 std::string energy_in_words(const Energy& energy, std::size_t levels) {
@@ -374,23 +385,33 @@ void add_optimise(CLI::App& app, const Output& output, Action& action) {
                      "Afterwards minimise this one by plain local search from there");
     add_search_options(*verb, *options);
     verb->add_option("--resume", options->resume,
-                     "Begin where this log, which starts from FILE, ends");
+                     "Begin where this log, which starts from FILE, ends")
+        ->check(file_name());
     verb->add_option("-o,--output", options->outputs.surface,
                      "Write the surface here, in the format of its extension (as make does)")
+        ->check(file_name())
         ->required();
-    verb->add_option("--log", options->outputs.log, "Write all flips from FILE on here");
+    verb->add_option("--log", options->outputs.log, "Write all flips from FILE on here")
+        ->check(file_name());
     verb->add_flag("--binary", options->outputs.binary, "Write the log's binary form");
     verb->add_option(
-        "--trace", options->trace,
-        "Write the energy after each flip here, as CSV (with 2000 vertices after every "
-        "other, and so on)");
+            "--trace", options->trace,
+            "Write the energy after each flip here, as CSV (with 2000 vertices after every "
+            "other, and so on)")
+        ->check(file_name());
     verb->add_option("--report", options->report,
-                     "Write a web page into this directory: start and end in space, flip by flip");
+                     "Write a web page into this directory: start and end in space, flip by flip")
+        ->check(file_name());
     options->input.add_triangulate(*verb);
     options->input.add_reorient(*verb);
     options->input.add_repair(*verb);
     verb->callback([&output, &action, options] {
-        options->outputs.require_distinct();
+        const NamedFile log{"--log", options->outputs.log};
+        const NamedFile trace{"--trace", options->trace};
+        require_distinct({{"--output", options->outputs.surface}, log, trace});
+        // An input is changed only where -o names it, and a log where it grows from --resume.
+        require_distinct({{"FILE", options->file}, log, trace});
+        require_distinct({{"--resume", options->resume}, trace});
         if (!options->report.empty() && !can_write_report()) {
             throw CLI::ValidationError("--report", std::string(how_to_get_reports));
         }

@@ -130,7 +130,9 @@ void add_path(CLI::App& app, const Output& output, Action& action) {
     verb->add_option("--limit", options->search.most_states,
                      "Give up a search when so many surfaces have been seen (20000000)")
         ->check(whole_number(1));
-    verb->add_option("-o,--output", options->log_file, "Flip log to write")->required();
+    verb->add_option("-o,--output", options->log_file, "Flip log to write")
+        ->check(file_name())
+        ->required();
     verb->add_flag("--binary", options->binary,
                    "Write the log's binary form, the smaller and faster one for long paths");
     options->input.add_triangulate(*verb);

@@ -85,6 +85,7 @@ void add_render(CLI::App& app, const Output& output, Action& action) {
     CLI::App* verb = app.add_subcommand("render", "Draw a surface as SVG or PNG");
     verb->add_option("FILE", options->file, "Surface or mesh with points")->required();
     verb->add_option("-o,--output", options->output_file, "Picture to write, .svg or .png")
+        ->check(file_name())
         ->required();
     verb->add_option_function<std::string>(
             "--view",

@@ -161,5 +161,31 @@ TEST_F(Optimise, RefusesWhatIsNoClosedSurfaceWithPoints) {
     EXPECT_THAT(names(), UnorderedElementsAre("open.off", "book"));
 }
 
+TEST_F(Optimise, NoOutputTakesTheNameOfAnother) {
+    make("twisted-prism", "a.off");
+    const std::string before = read("a.off");
+    expect_wrong_usage({"optimise", "a.off", "-o", "b", "--log", "b"}, {"--log", "--output"});
+    expect_wrong_usage({"optimise", "a.off", "-o", "b", "--trace", "./b"}, {"--trace", "--output"});
+    expect_wrong_usage({"optimise", "a.off", "-o", "b", "--log", "c", "--trace", "c"},
+                       {"--trace", "--log"});
+    expect_wrong_usage({"optimise", "a.off", "-o", "b", "--log", "a.off"}, {"--log", "FILE"});
+    expect_wrong_usage({"optimise", "a.off", "-o", "b", "--trace", "a.off"}, {"--trace", "FILE"});
+    expect_wrong_usage({"optimise", "a.off", "-o", ""}, {"--output", "name"});
+    EXPECT_THAT(names(), UnorderedElementsAre("a.off"));
+    EXPECT_EQ(read("a.off"), before);
+    EXPECT_EQ(run({"optimise", "a.off", "-o", "a.off"}).exit_code, 0);  // asked for
+    EXPECT_NE(read("a.off"), before);
+}
+
+TEST_F(Optimise, ValuesOutOfRangeAreNoNumbers) {
+    write("a.off",
+          "OFF\n4 4 0\n0 0 0\n1e300 0 0\n0 1e300 0\n0 0 1e300\n3 0 2 1\n3 0 1 3\n"
+          "3 1 2 3\n3 2 0 3\n");
+    const Json json = run_json({"optimise", "a.off", "--criterion", "area", "-o", "b.off"});
+    EXPECT_TRUE(json["initial"].is_null());
+    EXPECT_TRUE(json["final"].is_null());
+    EXPECT_NEAR(run_json({"optimise", "a.off", "-o", "b.off"})["final"], 4 * pi, 1e-9);
+}
+
 }  // namespace
 }  // namespace tightflip::tools

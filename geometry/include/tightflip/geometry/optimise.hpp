@@ -74,9 +74,11 @@ struct OptimiseResult {
 
 /// Flips edges of the surface that `criterion` is bound to. Only edges whose change may be another
 /// after a flip are looked at again. The same for equal arguments, but for `max_time`. Every flip
-/// improves the energy, so that none is done for ever; stopped, it goes on when called again, from
-/// where it was but with all edges waiting anew. Per flip 5 to 20 changes are asked of the
-/// criterion, and O(log n) more time passes where the best is wanted.
+/// improves the energy, so that none is done for ever. (Roundings can say so falsely: each four
+/// flips an edge the value is taken from scratch, and where it has not fallen the flips since are
+/// taken back, and that is the end.) Stopped, it goes on when called again, from where it was but
+/// with all edges waiting anew. Per flip 5 to 20 changes are asked of the criterion, and O(log n)
+/// more time passes where the best is wanted.
 [[nodiscard]] OptimiseResult optimise(Triangulation& surface, Points points, Criterion& criterion,
                                       const OptimiseOptions& options = {});
 
