@@ -111,13 +111,14 @@ bool forbids_flips(const Triangulation& surface, Criterion& criterion) {
 }
 
 /// A surface on its way down, with the flips that led there and the best that it has been. The
-/// wanted criterion is bound to the start and told every flip from there.
+/// wanted criterion is bound to the start, or the end of a path, and told every flip from there.
 class Descent {
 public:
     Descent(const Triangulation& start, Points points, const Goal& goal,
             const OptimiseOptions& options, Effort& effort)
         : surface_(start),
           points_(points),
+          goal_(goal),
           wanted_(goal.make(view())),
           options_(options),
           effort_(effort),
@@ -130,7 +131,7 @@ public:
     }
 
     void alternate() {
-        const bool has_bounds = forbids_flips(surface_, *wanted_);
+        const bool has_bounds = goal_.may_forbid_flips && forbids_flips(surface_, *wanted_);
         double before = 0;
         do {
             before = best_.first();
@@ -160,14 +161,17 @@ public:
         note();
     }
 
-    /// False where the limits do not let it.
+    /// False where the limits do not let it. The wanted criterion is bound anew at the end: on the
+    /// way there are vertices of such degrees that each flip would cost it as much as all do now.
     bool follow(std::span<const Edge> path) {
         if (!effort_.has_flips(static_cast<std::int64_t>(path.size()))) return false;
         for (const Edge e : path) {
-            flip(e);
-            if (!effort_.made_flip()) return false;
+            static_cast<void>(surface_.flip(e));
+            flips_.push_back(e);
+            if (!effort_.made_flip()) break;
         }
-        return true;
+        wanted_ = goal_.make(view());
+        return !effort_.end();
     }
 
     /// Takes the surface for the best.
@@ -186,7 +190,6 @@ public:
     [[nodiscard]] Energy energy() const { return wanted_->value(); }
     [[nodiscard]] const Energy& best() const noexcept { return best_; }
     [[nodiscard]] std::int64_t evaluated() const noexcept { return evaluated_; }
-    [[nodiscard]] const Triangulation& surface() const noexcept { return surface_; }
     [[nodiscard]] std::vector<Edge>& flips() noexcept { return flips_; }
 
 private:
@@ -239,6 +242,7 @@ private:
 
     Triangulation surface_;
     Points points_;
+    const Goal& goal_;
     std::unique_ptr<Criterion> wanted_;
     const OptimiseOptions& options_;
     Effort& effort_;
@@ -296,31 +300,46 @@ Path path_to_hull(Triangulation surface, Points points, Effort& effort) {
 }
 
 /// Why no path can be taken that may need any flip.
-StrategyFault what_blocks_paths(const Triangulation& surface, Criterion& criterion,
+StrategyFault what_blocks_paths(const Triangulation& surface, Points points, const Goal& goal,
                                 const OptimiseOptions& options) {
     if (surface.genus() != 0) return StrategyFault::not_a_sphere;
     if (!options.locked.empty()) return StrategyFault::locked_edges;
-    if (options.allowed != AllowedFlips::all || forbids_flips(surface, criterion)) {
-        return StrategyFault::restricted_flips;
-    }
-    return StrategyFault::none;
+    if (options.allowed != AllowedFlips::all) return StrategyFault::restricted_flips;
+    if (!goal.may_forbid_flips) return StrategyFault::none;
+    const auto criterion = goal.make({surface.table(), points});
+    return forbids_flips(surface, *criterion) ? StrategyFault::restricted_flips
+                                              : StrategyFault::none;
 }
 
-/// The energies along the flips made.
+/// The energies along the flips made: summed up from the changes or, where few are asked for, from
+/// scratch. To follow a flip costs a criterion about what four vertices cost it from scratch, and
+/// much more at the hubs of paths.
 std::vector<EnergyAt> trace(Triangulation surface, Points points, const Goal& goal,
                             const StrategyResult& result, std::int64_t every) {
+    const bool from_scratch = 4 * every > surface.vertex_count();
     const auto criterion = goal.make({surface.table(), points});
     std::vector<EnergyAt> energies{{0, result.before}};
     Energy energy = result.before;
     std::int64_t done = 0;
     for (const Edge e : result.flips) {
-        energy += criterion->change(e);
+        if (!from_scratch) energy += criterion->change(e);
         static_cast<void>(surface.flip(e));
-        criterion->flipped(e);
-        if (++done % every == 0) energies.push_back({done, energy});
+        if (!from_scratch) criterion->flipped(e);
+        if (++done % every != 0) continue;
+        energies.push_back({done, from_scratch ? criterion->value() : energy});
     }
-    if (energies.back().flips != done) energies.push_back({done, energy});
+    if (energies.back().flips != done) energies.push_back({done, result.after});
     return energies;
+}
+
+/// Does the flips of a result that is known but for its trace.
+StrategyResult with_flips_done(StrategyResult result, Triangulation& surface, Points points,
+                               const Goal& goal, const OptimiseOptions& options) {
+    if (options.trace_every > 0) {
+        result.trace = trace(surface, points, goal, result, options.trace_every);
+    }
+    static_cast<void>(surface.flip_all(result.flips));
+    return result;
 }
 
 struct Route {
@@ -338,8 +357,7 @@ Route find_route(const Plan& plan, const Triangulation& surface, Points points, 
         if (detour == Detour::none || (is_hull && !plan.needs_detour && !goal.wants_hull)) {
             continue;
         }
-        const auto criterion = goal.make({surface.table(), points});
-        const StrategyFault blocked = what_blocks_paths(surface, *criterion, options);
+        const StrategyFault blocked = what_blocks_paths(surface, points, goal, options);
         if (blocked != StrategyFault::none) return {Detour::none, {.refusal = {blocked}}};
         route.path =
             is_hull ? path_to_hull(surface, points, effort) : path_to_star(surface, points);
@@ -370,7 +388,8 @@ Goal goal_by_text(const std::string& text, Vertex marked) {
     return {[text, marked](const SurfaceView& surface) {
                 return parse_criterion(text, surface, marked);
             },
-            kind && std::ranges::find(hull_wanted_by, *kind) != hull_wanted_by.end()};
+            kind && std::ranges::find(hull_wanted_by, *kind) != hull_wanted_by.end(),
+            marked.is_valid()};
 }
 
 std::string message(const StrategyRefusal& refusal) {
@@ -410,6 +429,15 @@ StrategyResult optimise_by(Strategy strategy, Triangulation& surface, Points poi
     // With fewer flips than that something may still be done.
     if (route.path.end && *route.path.end != OptimiseEnd::flip_limit) effort.stop(*route.path.end);
 
+    if (route.detour == Detour::hull && goal.wants_hull) {
+        result.flips = route.path.flips;
+        if (strategy == Strategy::automatic) result.used = Strategy::hull;
+        Triangulation hull = surface;
+        static_cast<void>(hull.flip_all(result.flips));
+        result.after = goal.make({hull.table(), points})->value();
+        return with_flips_done(std::move(result), surface, points, goal, options);
+    }
+
     Descent direct(surface, points, goal, options, effort);
     OptimiseOptions reordered_options = options;
     reordered_options.order =
@@ -418,40 +446,31 @@ StrategyResult optimise_by(Strategy strategy, Triangulation& surface, Points poi
     std::optional<Descent> detour;
     if (route.detour != Detour::none) detour.emplace(surface, points, goal, options, effort);
     Descent* best = &direct;
-    if (route.detour == Detour::hull && goal.wants_hull) {
-        if (detour->follow(route.path.flips)) detour->settle();
-        best = &*detour;
-    } else {
-        direct.descend(plan.looks_ahead);
-        if (plan.tries_both_orders && !effort.end()) {
-            reordered.emplace(surface, points, goal, reordered_options, effort);
-            reordered->descend(plan.looks_ahead);
-            if (reordered->best() < direct.best()) best = &*reordered;
-        }
-        if (detour && detour->follow(route.path.flips)) {
-            detour->descend(plan.looks_ahead);
-            if (detour->best() < best->best()) best = &*detour;
-        }
-        if (plan.alternates) best->alternate();
-        if (plan.kicks) best->kick();
+    direct.descend(plan.looks_ahead);
+    if (plan.tries_both_orders && !effort.end()) {
+        reordered.emplace(surface, points, goal, reordered_options, effort);
+        reordered->descend(plan.looks_ahead);
+        if (reordered->best() < direct.best()) best = &*reordered;
     }
+    if (detour && detour->follow(route.path.flips)) {
+        detour->descend(plan.looks_ahead);
+        if (detour->best() < best->best()) best = &*detour;
+    }
+    if (plan.alternates) best->alternate();
+    if (plan.kicks) best->kick();
     best->go_back_to_best();
 
     if (strategy == Strategy::automatic && detour && best == &*detour) {
         result.used = route.detour == Detour::hull ? Strategy::hull : Strategy::star;
     }
     result.flips = std::move(best->flips());
-    result.after = best->energy();
     for (const Descent* descent :
          {&direct, reordered ? &*reordered : nullptr, detour ? &*detour : nullptr}) {
         if (descent != nullptr) result.evaluated += descent->evaluated();
     }
     result.end = effort.end().value_or(route.path.end.value_or(OptimiseEnd::local_minimum));
-    if (options.trace_every > 0) {
-        result.trace = trace(surface, points, goal, result, options.trace_every);
-    }
-    surface = best->surface();
-    return result;
+    result.after = best->energy();
+    return with_flips_done(std::move(result), surface, points, goal, options);
 }
 
 }  // namespace tightflip::geometry

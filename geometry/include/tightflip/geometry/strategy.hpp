@@ -50,6 +50,9 @@ struct Goal {
     CriterionMaker make;
     /// Whether the convex hull is what is wanted where the data are convex.
     bool wants_hull = false;
+    /// Whether there may be flips that the criterion does not allow, which all edges are then
+    /// asked.
+    bool may_forbid_flips = true;
 };
 
 /// The criterion that `parse_criterion` makes of the text. The hull is wanted by tight and
