@@ -1,17 +1,11 @@
 #include "command.hpp"
-#include "flip_outputs.hpp"
 #include "interrupt.hpp"
-#include "progress.hpp"
+#include "optimise_course.hpp"
 #include "report_page.hpp"
-#include "surface_input.hpp"
 #include <tightflip/geometry/convex_data.hpp>
 #include <tightflip/geometry/self_intersections.hpp>
-#include <tightflip/geometry/strategy.hpp>
-#include <tightflip/kernel/audit.hpp>
 #include <tightflip/kernel/file_io.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -25,139 +19,9 @@ namespace {
 using geometry::AllowedFlips;
 using geometry::Energy;
 using geometry::OptimiseEnd;
-using geometry::OptimiseOptions;
 using geometry::StrategyResult;
-using geometry::Surface;
-using kernel::Edge;
 using kernel::FlipLog;
 using kernel::Triangulation;
-
-struct Options {
-    std::string file;
-    std::string criterion = "tight";
-    std::string then;
-    geometry::Strategy strategy = geometry::Strategy::automatic;
-    OptimiseOptions search;
-    std::vector<kernel::Index> locked;
-    std::optional<kernel::Index> marked;
-    std::optional<double> seconds;
-    std::string resume;
-    std::string trace;
-    std::string report;
-    FlipOutputs outputs;
-    InputOptions input;
-};
-
-/// One criterion's part of the work.
-struct Part {
-    std::string criterion;
-    StrategyResult result;
-    std::size_t levels = 1;  ///< of its energies
-};
-
-/// The whole of it: one log from the file's surface to the end.
-struct Course {
-    Surface start;
-    std::vector<Edge> flips;
-    Surface surface;
-    std::vector<Part> parts;  ///< one, or two with --then
-    double seconds = 0;
-
-    [[nodiscard]] OptimiseEnd end() const { return parts.back().result.end; }
-};
-
-Course begin(const Options& options) {
-    const SurfaceInput input(options.file, options.input);
-    Course course{input.surface(), {}, input.surface(), {}};
-    if (options.resume.empty()) return course;
-    FlipLog log = kernel::parse_flip_log(kernel::read_file(options.resume), options.resume);
-    if (log.start != course.start.triangulation()) {
-        throw kernel::FileError(options.resume, "this log starts from another surface than " +
-                                                    options.file +
-                                                    " (or one numbered differently)");
-    }
-    kernel::Replay replayed = replay(log);
-    if (!replayed.is_complete()) {
-        throw kernel::FileError(options.resume, fmt::format("flip {} of {}: {}", replayed.done + 1,
-                                                            log.flips.size(), replayed.reason));
-    }
-    course.flips = std::move(log.flips);
-    course.surface.triangulation() = std::move(replayed.surface);
-    return course;
-}
-
-class Run {
-public:
-    Run(const Options& options, Course& course) : options_(options), course_(course) {}
-
-    void part(geometry::Strategy strategy, const std::string& criterion) {
-        const geometry::Goal goal = geometry::goal_by_text(criterion, marked());
-        Part part{criterion, {}, goal.make(course_.surface.view())->level_count()};
-        const auto flips_before = static_cast<std::int64_t>(course_.flips.size());
-        part.result = optimise_by(strategy, course_.surface.triangulation(),
-                                  course_.surface.points(), goal, limits(flips_before));
-        if (part.result.refusal.fault != geometry::StrategyFault::none) {
-            throw std::invalid_argument(message(part.result.refusal));
-        }
-        for (geometry::EnergyAt& at : part.result.trace)
-            at.flips += flips_before;
-        course_.flips.insert(course_.flips.end(), part.result.flips.begin(),
-                             part.result.flips.end());
-        course_.parts.push_back(std::move(part));
-        course_.seconds = seconds();
-    }
-
-private:
-    [[nodiscard]] geometry::Vertex marked() const {
-        if (!options_.marked) return {};
-        if (*options_.marked >= course_.start.triangulation().vertex_count()) {
-            throw std::invalid_argument(
-                fmt::format("there is no vertex {} to be --marked", *options_.marked));
-        }
-        return {*options_.marked};
-    }
-    [[nodiscard]] Edge existing(Edge e) const {
-        const kernel::Index edges = course_.start.triangulation().edge_count();
-        if (e.id < edges) return e;
-        throw std::invalid_argument(fmt::format(
-            "there is no edge {} to --lock: the surface has {}, numbered from 0", e.id, edges));
-    }
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(Clock::now() - begin_).count();
-    }
-    OptimiseOptions limits(std::int64_t flips_before) {
-        OptimiseOptions limits = options_.search;
-        locked_.clear();
-        for (const kernel::Index e : options_.locked)
-            locked_.push_back(existing(Edge{e}));
-        limits.locked = locked_;
-        if (options_.seconds) {
-            limits.max_time = std::chrono::duration<double>(*options_.seconds - seconds());
-        }
-        if (!options_.trace.empty() || !options_.report.empty()) {
-            constexpr kernel::Index largest_traced_flip_by_flip = 1000;
-            limits.trace_every = std::max(
-                1, course_.start.triangulation().vertex_count() / largest_traced_flip_by_flip);
-        }
-        limits.keep_going = [this, flips_before](std::int64_t flips, const Energy& energy) {
-            constexpr std::int64_t flips_between_looks = 64;
-            if (flips % flips_between_looks != 0) return true;
-            bar_.show({.done = static_cast<std::uint64_t>(flips_before + flips),
-                       .seconds = seconds(),
-                       .note = fmt::format("energy {:.9g}", energy.first())});
-            return !was_interrupted();
-        };
-        return limits;
-    }
-
-    using Clock = std::chrono::steady_clock;
-
-    const Options& options_;
-    Course& course_;
-    std::vector<Edge> locked_;
-    Clock::time_point begin_ = Clock::now();
-    ProgressBar bar_{options_.file};
-};
 
 std::string_view name(OptimiseEnd end) {
     switch (end) {
@@ -192,7 +56,7 @@ std::string energy_in_words(const Energy& energy, std::size_t levels) {
     return words;
 }
 
-Json part_json(const Part& part) {
+Json part_json(const CoursePart& part) {
     const StrategyResult& result = part.result;
     return {{"criterion", part.criterion},
             {"strategy", geometry::info(result.used).name},
@@ -220,7 +84,7 @@ struct Verdict {
     }
 };
 
-Json course_json(const Options& options, const Course& course, const Verdict& verdict) {
+Json course_json(const OptimiseRequest& options, const Course& course, const Verdict& verdict) {
     const Triangulation& t = course.surface.triangulation();
     Json json{{"file", options.file},
               {"vertices", t.vertex_count()},
@@ -237,10 +101,10 @@ Json course_json(const Options& options, const Course& course, const Verdict& ve
     return json;
 }
 
-std::string in_words(const Options& options, const Course& course, const Verdict& verdict) {
+std::string in_words(const OptimiseRequest& options, const Course& course, const Verdict& verdict) {
     std::string words =
         fmt::format("{}: {} flips in {:.3g} s", options.file, course.flips.size(), course.seconds);
-    for (const Part& part : course.parts) {
+    for (const CoursePart& part : course.parts) {
         words += fmt::format("\n  {} {} -> {} by {}, {} flips, {} changes evaluated",
                              part.criterion, energy_in_words(part.result.before, part.levels),
                              energy_in_words(part.result.after, part.levels),
@@ -260,13 +124,13 @@ std::string in_words(const Options& options, const Course& course, const Verdict
 
 void write_trace(std::ostream& out, const Course& course) {
     out << "criterion,flips,energy\n";
-    for (const Part& part : course.parts) {
+    for (const CoursePart& part : course.parts) {
         for (const geometry::EnergyAt& at : part.result.trace)
             fmt::print(out, "\"{}\",{},{}\n", part.criterion, at.flips, at.energy.first());
     }
 }
 
-void write_page(const Options& options, const Course& course, const Json& json) {
+void write_page(const OptimiseRequest& options, const Course& course, const Json& json) {
     OptimisationReport page{.title = fmt::format("{}: {}", options.file, options.criterion),
                             .facts = {},
                             .before = course.start,
@@ -276,7 +140,7 @@ void write_page(const Options& options, const Course& course, const Json& json) 
         if (value.is_object()) continue;
         page.facts.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
     }
-    for (const Part& part : course.parts) {
+    for (const CoursePart& part : course.parts) {
         ReportSeries series{part.criterion, {}, {}};
         for (const geometry::EnergyAt& at : part.result.trace) {
             series.flips.push_back(at.flips);
@@ -287,19 +151,9 @@ void write_page(const Options& options, const Course& course, const Json& json) 
     write_report(options.report, page);
 }
 
-Exit optimise_file(const Output& output, const Options& options) {
+Exit optimise_file(const Output& output, const OptimiseRequest& options) {
     note_interrupts();
-    Course course = begin(options);
-    {
-        Run run(options, course);
-        run.part(options.strategy, options.criterion);
-        if (!options.then.empty() && course.end() == OptimiseEnd::local_minimum) {
-            run.part(geometry::Strategy::local, options.then);
-        }
-    }
-    if (!audit(course.surface.triangulation()).is_valid()) {
-        throw std::logic_error("the surface does not pass the audit after its flips");
-    }
+    const Course course = run_course(options);
     const Verdict verdict(course.surface.view());
     Json json = course_json(options, course, verdict);
     options.outputs.write(FlipLog{course.start.triangulation(), course.flips},
@@ -330,7 +184,7 @@ std::string in_lines(const Infos& infos) {
     return text;
 }
 
-void add_search_options(CLI::App& verb, Options& options) {
+void add_search_options(CLI::App& verb, OptimiseRequest& options) {
     verb.add_option_function<std::string>(
             "--strategy",
             [&options](const std::string& word) {
@@ -369,7 +223,7 @@ void add_search_options(CLI::App& verb, Options& options) {
 }  // namespace
 
 void add_optimise(CLI::App& app, const Output& output, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<OptimiseRequest>();
     CLI::App* verb = app.add_subcommand(
         "optimise", "Flip edges until a criterion is as small as can be (the paper's section 5)");
     verb->footer(
@@ -394,10 +248,9 @@ void add_optimise(CLI::App& app, const Output& output, Action& action) {
     verb->add_option("--log", options->outputs.log, "Write all flips from FILE on here")
         ->check(file_name());
     verb->add_flag("--binary", options->outputs.binary, "Write the log's binary form");
-    verb->add_option(
-            "--trace", options->trace,
-            "Write the energy after each flip here, as CSV (with 2000 vertices after every "
-            "other, and so on)")
+    verb->add_option("--trace", options->trace,
+                     "Write the energy after each flip here, as CSV (of V vertices, after every "
+                     "V^2 / 10^5 flips)")
         ->check(file_name());
     verb->add_option("--report", options->report,
                      "Write a web page into this directory: start and end in space, flip by flip")
