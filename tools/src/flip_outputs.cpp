@@ -9,9 +9,11 @@ namespace tightflip::tools {
 namespace {
 
 bool same_file(const std::string& a, const std::string& b) {
-    std::error_code ignored;
-    return std::filesystem::weakly_canonical(a, ignored) ==
-           std::filesystem::weakly_canonical(b, ignored);
+    const auto place = [](const std::string& name) {
+        std::error_code ignored;  // a path that cannot be followed is compared as it is
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
+    };
+    return place(a) == place(b);
 }
 
 }  // namespace
