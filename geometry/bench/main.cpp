@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     bench::register_intersection_benchmarks();
     bench::register_file_benchmarks();
     bench::register_optimise_benchmarks();
+    bench::register_convexify_benchmarks();
     tightflip::kernel::bench::MarkdownReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();

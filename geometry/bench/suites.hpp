@@ -9,5 +9,6 @@ void register_measure_benchmarks();
 void register_intersection_benchmarks();
 void register_file_benchmarks();
 void register_optimise_benchmarks();
+void register_convexify_benchmarks();
 
 }  // namespace tightflip::geometry::bench
