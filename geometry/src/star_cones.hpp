@@ -93,7 +93,7 @@ private:
                                           const Point& x) const;
 
     [[nodiscard]] double find_change_without(Halfedge h);
-    [[nodiscard]] double find_change_across(Halfedge h);
+    [[nodiscard]] double find_change_across(Halfedge side);
     void read_star(Halfedge h, Halfedge left_out);
     [[nodiscard]] double positive_curvature_of_cone(const Point& apex) const;
     [[nodiscard]] double from_scratch(Halfedge h, Halfedge left_out, const Point* added);
