@@ -2,7 +2,7 @@
 packages_build=(g++ cmake make libeigen3-dev libcgal-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
 packages_report=(libjs-three libjs-chart.js)
 packages_test=("${packages_build[@]}" "${packages_report[@]}" libgtest-dev libgmock-dev
-               librapidcheck-dev libboost-graph-dev librsvg2-bin pkg-config chromium)
+               librapidcheck-dev libboost-graph-dev libopenmesh-dev librsvg2-bin pkg-config chromium)
 packages_bench=("${packages_build[@]}" libbenchmark-dev libopenmesh-dev)
 packages_fuzz=(clang libclang-rt-14-dev)
 packages_lint=("${packages_fuzz[@]}" clang-format clang-tidy git)
