@@ -5,8 +5,9 @@
 #include <tightflip/properties/invariants.hpp>
 #include <tightflip/properties/reference_model.hpp>
 
-#include <algorithm>
+#include <cstring>
 #include <sstream>
+#include <type_traits>
 
 namespace tightflip::properties {
 namespace {
@@ -15,26 +16,43 @@ Finding at_edge(std::size_t step, ViolationCode code, Edge e) {
     return {step, {.code = code, .kind = kernel::PlaceKind::edge, .place = e.id}};
 }
 
-/// The surface with the two halfedges of `e` renamed into each other.
-std::vector<kernel::HalfedgeRecord> with_halves_exchanged(const Triangulation& surface, Edge e) {
-    const auto renamed = [&](kernel::Halfedge h) { return edge_of(h) == e ? twin(h) : h; };
-    std::vector<kernel::HalfedgeRecord> records(surface.table().size());
-    for (Index h = 0; h < surface.halfedge_count(); ++h) {
-        const auto& [next, origin] = at(surface.table(), kernel::Halfedge{h});
-        records[static_cast<std::size_t>(renamed({h}).id)] = {renamed(next), origin};
-    }
-    return records;
+/// Whether the same handles mean the same, as operator== finds out record by record; much is
+/// compared here.
+bool same_tables(const Triangulation& a, const Triangulation& b) {
+    static_assert(std::has_unique_object_representations_v<kernel::HalfedgeRecord>);
+    const auto left = std::as_bytes(a.table());
+    const auto right = std::as_bytes(b.table());
+    return a.vertex_count() == b.vertex_count() && left.size() == right.size() &&
+           std::memcmp(left.data(), right.data(), left.size()) == 0;
 }
 
-bool laws_hold_at(const Triangulation& surface, Edge e) {
-    Triangulation moved = surface;
-    if (!moved.flip(e)) return moved == surface && !moved.unflip(e) && moved == surface;
-    bool holds = static_cast<bool>(moved.unflip(e)) && moved == surface;
-    holds = holds && moved.unflip(e) && moved.flip(e) && moved == surface;
-    holds = holds && moved.flip(e) && moved.flip(e);
-    const auto exchanged = with_halves_exchanged(surface, e);
-    holds = holds && std::ranges::equal(moved.table(), exchanged);
-    return holds && moved.flip(e) && moved.flip(e) && moved == surface;
+/// Whether `b` is `a` with the two halfedges of `e` renamed into each other.
+bool halves_are_exchanged(const Triangulation& a, const Triangulation& b, Edge e) {
+    const auto renamed = [&](kernel::Halfedge h) { return edge_of(h) == e ? twin(h) : h; };
+    for (Index id = 0; id < a.halfedge_count(); ++id) {
+        const kernel::Halfedge h{id};
+        const auto& [next, origin] = at(a.table(), h);
+        if (at(b.table(), renamed(h)) != kernel::HalfedgeRecord{renamed(next), origin})
+            return false;
+    }
+    return true;
+}
+
+/// Flips a copy of the surface to and fro, which is the surface again where the laws hold.
+bool laws_hold_at(const Triangulation& surface, Edge e, Triangulation& copy) {
+    if (!copy.flip(e)) {
+        return same_tables(copy, surface) && !copy.unflip(e) && same_tables(copy, surface);
+    }
+    bool holds = static_cast<bool>(copy.unflip(e)) && same_tables(copy, surface);
+    holds = holds && copy.unflip(e) && copy.flip(e) && same_tables(copy, surface);
+    holds = holds && copy.flip(e) && copy.flip(e);
+    holds = holds && halves_are_exchanged(surface, copy, e);
+    return holds && copy.flip(e) && copy.flip(e) && same_tables(copy, surface);
+}
+
+/// Of a start; without statistics, which cost much more.
+Topology topology_of(const Triangulation& surface) {
+    return audit(surface, {.max_per_code = 1, .statistics = false}).topology;
 }
 
 }  // namespace
@@ -42,12 +60,10 @@ bool laws_hold_at(const Triangulation& surface, Edge e) {
 std::optional<Finding> topology_is_preserved(const Triangulation& start,
                                              std::span<const Edge> script,
                                              std::size_t audit_every) {
-    const Topology topology = audit(start).topology;
+    const Topology topology = topology_of(start);
     Triangulation surface = start;
-    std::size_t audited = script.size() + 1;  // steps before the last full audit; none yet
-    const auto audit_after = [&](std::size_t step) -> std::optional<Finding> {
-        audited = step;
-        auto violation = first_violation(surface, topology);
+    const auto audit_after = [&](std::size_t step, auto judge) -> std::optional<Finding> {
+        auto violation = judge(surface, topology);
         if (!violation) return std::nullopt;
         return Finding{step, *std::move(violation)};
     };
@@ -55,14 +71,13 @@ std::optional<Finding> topology_is_preserved(const Triangulation& start,
         const CheckedFlip step = checked_flip(surface, script[k]);
         if (step.code) return Finding{k + 1, explain(surface, script[k], *step.code)};
         if (audit_every == 0 || (k + 1) % audit_every != 0) continue;
-        if (auto finding = audit_after(k + 1)) return finding;
+        if (auto finding = audit_after(k + 1, first_violation_quickly)) return finding;
     }
-    return audited == script.size() ? std::nullopt : audit_after(script.size());
+    return audit_after(script.size(), first_violation);
 }
 
 std::optional<Finding> reference_model_agrees(const Triangulation& start,
                                               std::span<const Edge> script) {
-    const Topology topology = audit(start).topology;
     Triangulation surface = start;
     ReferenceModel model(start);
     for (std::size_t k = 0; k < script.size(); ++k) {
@@ -75,27 +90,26 @@ std::optional<Finding> reference_model_agrees(const Triangulation& start,
         if (const auto edge = model.difference(surface)) {
             return at_edge(k + 1, ViolationCode::reference_model_disagrees, *edge);
         }
-        AuditReport report =
-            kernel::audit(model.gluing(), {.max_per_code = 1, .statistics = false});
-        if (!report.is_valid()) return Finding{k + 1, std::move(report.violations.front())};
-        std::vector<Violation> changed = changes(topology, report.topology);
-        if (!changed.empty()) return Finding{k + 1, std::move(changed.front())};
     }
     return std::nullopt;
 }
 
 std::optional<Finding> flip_laws_hold(const Triangulation& start, std::span<const Edge> script) {
     Triangulation surface = start;
+    Triangulation copy = start;
     FlipScript done;
+    done.reserve(script.size());
     for (std::size_t k = 0; k < script.size(); ++k) {
-        if (!laws_hold_at(surface, script[k])) {
+        if (!laws_hold_at(surface, script[k], copy)) {
             return at_edge(k + 1, ViolationCode::flip_law_broken, script[k]);
         }
-        if (surface.flip(script[k])) done.push_back(script[k]);
+        if (!surface.flip(script[k])) continue;
+        static_cast<void>(copy.flip(script[k]));
+        done.push_back(script[k]);
     }
     for (std::size_t k = done.size(); k-- > 0;)
         static_cast<void>(surface.unflip(done[k]));
-    if (surface != start) {
+    if (!same_tables(surface, start)) {
         return Finding{script.size(), {.code = ViolationCode::flip_law_broken}};
     }
     return std::nullopt;

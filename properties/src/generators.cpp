@@ -1,3 +1,4 @@
+#include "adversarial_starts.hpp"
 #include <tightflip/kernel/families.hpp>
 #include <tightflip/properties/generators.hpp>
 
@@ -33,6 +34,10 @@ Index half_of(std::string_view kind, Index vertices) {
 template <Index least>
 constexpr Index at_least(Index) {
     return least;
+}
+
+constexpr Index least_of_genus(Index genus) {
+    return genus == 0 ? 4 : 3;
 }
 
 constexpr std::array kinds{
@@ -73,13 +78,32 @@ constexpr std::array kinds{
                   return families::torus_grid(3, r.vertices / 3);
               }},
     StartKind{"genus", "a connected sum of tori with vertices put into random faces",
-              [](Index genus) { return genus == 0 ? Index{4} : Index{3}; }, true,
+              least_of_genus, true,
               [](const StartRequest& r) {
                   return families::surface_of_genus(r.genus, r.vertices, r.seed);
               }},
-    StartKind{"random", "a surface of the genus after 20 random flips an edge",
-              [](Index genus) { return genus == 0 ? Index{4} : Index{3}; }, true,
+    StartKind{"random", "a surface of the genus after 20 random flips an edge", least_of_genus,
+              true,
               [](const StartRequest& r) { return families::random(r.vertices, r.genus, r.seed); }},
+    StartKind{"fan", "two fans about vertex 0 glued along a polygon: every face contains it",
+              at_least<3>, false,
+              [](const StartRequest& r) { return adversarial::fan(r.vertices); }},
+    StartKind{"degree-2-chain", "a vertex of degree 2 in a digon in a digon in a digon ...",
+              at_least<3>, true,
+              [](const StartRequest& r) {
+                  return adversarial::degree_two_chain(r.genus, r.vertices, r.seed);
+              }},
+    StartKind{
+        "digons", "random edges opened into digons with a vertex of degree 2 in each", at_least<3>,
+        true,
+        [](const StartRequest& r) { return adversarial::digons(r.genus, r.vertices, r.seed); }},
+    StartKind{"hub", "a surface of the genus whose every face contains vertex 0", least_of_genus,
+              true,
+              [](const StartRequest& r) { return adversarial::hub(r.genus, r.vertices, r.seed); }},
+    StartKind{
+        "simple", "a simple surface of the genus after 20 random flips an edge that keep it so",
+        [](Index genus) { return genus == 0 ? Index{4} : 6 * genus + 3; }, true,
+        [](const StartRequest& r) { return adversarial::simple(r.genus, r.vertices, r.seed); }},
 };
 
 }  // namespace
@@ -112,6 +136,14 @@ FlipScript random_script(const Triangulation& start, std::size_t length,
     for (Edge& e : script)
         e = {static_cast<Index>(random.below(edges))};
     return script;
+}
+
+FlipScript without_refused(Triangulation start, std::span<const Edge> script) {
+    FlipScript done;
+    for (const Edge e : script) {
+        if (start.flip(e)) done.push_back(e);
+    }
+    return done;
 }
 
 }  // namespace tightflip::properties

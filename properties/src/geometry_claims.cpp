@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <sstream>
@@ -21,6 +22,7 @@ namespace {
 
 using geometry::Criterion;
 using geometry::CriterionInfo;
+using geometry::CriterionKind;
 using geometry::EdgeShape;
 using geometry::Energy;
 using geometry::Hinge;
@@ -38,9 +40,66 @@ using Result = std::optional<GeometryFinding>;
 
 constexpr double pi = std::numbers::pi;
 
+/// Whether two values are the same up to roundings of numbers of a size. Sums of n terms with a few
+/// roundings each are wrong by some n epsilon of their size: for the surfaces that can be checked
+/// flip by flip, far less than this.
 bool agree(double a, double b, double size) {
-    return a == b || std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(size));
+    return a == b || std::abs(a - b) <= 1e-9 * size;
 }
+
+/// Of angles and their sums.
+bool angles_agree(double a, double b, double size) {
+    return agree(a, b, std::max(1.0, std::abs(size)));
+}
+
+/// What decides how much of a criterion may be roundings.
+struct Sizing {
+    int dimension = 0;         ///< the power of a length that it measures; 0: angles, numbers
+    int thinness = 0;          ///< the power of the thinness of faces that it is sensitive to
+    bool is_thinness = false;  ///< whether it measures that itself
+};
+
+Sizing sizing_of(CriterionKind kind) {
+    switch (kind) {
+        case CriterionKind::mean:
+        case CriterionKind::abn:
+        case CriterionKind::abn_squares:
+            return {.thinness = 1};
+        case CriterionKind::mean_weighted:
+            return {.dimension = 1, .thinness = 1};
+        case CriterionKind::edge_length:
+            return {.dimension = 1};
+        case CriterionKind::area:
+            return {.dimension = 2};
+        case CriterionKind::volume:
+            return {.dimension = 3};
+        case CriterionKind::delaunay:
+            return {.thinness = 2, .is_thinness = true};
+        default:
+            return {};
+    }
+}
+
+/// The size of a surface in space, as a power of two.
+class Extent {
+public:
+    explicit Extent(geometry::Points points) {
+        double half = 0;  // of the largest difference from the first point, lest it overflow
+        for (const geometry::Point& point : points)
+            half = std::max(half, (point * 0.5 - points.front() * 0.5).cwiseAbs().maxCoeff());
+        exponent_ = half > 0 ? std::ilogb(half) + 2 : 0;
+    }
+    /// At least the largest measure of one edge or face of that dimension; empty where measures, or
+    /// sums of many of them, leave the range of doubles.
+    [[nodiscard]] std::optional<double> power(int dimension) const {
+        const int exponent = dimension * exponent_;
+        if (std::abs(exponent) > 900) return std::nullopt;
+        return std::ldexp(1.0, exponent);
+    }
+
+private:
+    int exponent_ = 0;
+};
 
 template <class... Parts>
 Result found(GeometryClaim claim, const Parts&... parts) {
@@ -57,7 +116,7 @@ Result vertex_claims_hold(const SurfaceView& surface, Halfedge h, const VertexCu
         return found(GeometryClaim::curvature_signs, "vertex ", v, ": omega+ ", c.positive,
                      ", omega- ", c.negative, ", omega ", c.deficit());
     }
-    if (!agree(c.positive - c.negative, c.deficit(), c.absolute())) {
+    if (!angles_agree(c.positive - c.negative, c.deficit(), c.absolute())) {
         return found(GeometryClaim::curvature_sum, "vertex ", v, ": omega+ ", c.positive,
                      ", omega- ", c.negative, ", omega ", c.deficit());
     }
@@ -80,7 +139,8 @@ struct Before {
 
 class ScriptCheck {
 public:
-    explicit ScriptCheck(Surface surface) : surface_(std::move(surface)) {
+    explicit ScriptCheck(Surface surface)
+        : surface_(std::move(surface)), extent_(surface_.points()) {
         for (const CriterionInfo& info : geometry::all_criteria()) {
             if (info.needs_heights) continue;
             infos_.push_back(&info);
@@ -125,17 +185,46 @@ private:
     }
 
     [[nodiscard]] Result changes_hold(Edge e, const Before& before) const {
+        std::vector<Energy> after;
+        for (const auto& criterion : criteria_)
+            after.push_back(criterion->value());
+        double thinness = 0;
         for (std::size_t k = 0; k < criteria_.size(); ++k) {
-            const Energy after = criteria_[k]->value();
+            if (!sizing_of(infos_[k]->kind).is_thinness) continue;
+            for (const Energy& energy : {before.values[k], before.changes[k], after[k]})
+                thinness = std::max(thinness, std::abs(energy.levels[1]));
+        }
+        for (std::size_t k = 0; k < criteria_.size(); ++k) {
             for (std::size_t i = 0; i < Energy::max_levels; ++i) {
                 const double change = before.changes[k].levels[i];
-                const double difference = after.levels[i] - before.values[k].levels[i];
-                if (agree(change, difference, before.values[k].levels[i])) continue;
+                const double now = after[k].levels[i];
+                const double then = before.values[k].levels[i];
+                const auto size =
+                    size_of(infos_[k]->kind, std::max(std::abs(now), std::abs(then)), thinness);
+                if (!size || agree(change, now - then, *size)) continue;
                 return found(GeometryClaim::local_change, infos_[k]->name, ", edge ", e.id,
-                             ", level ", i, ": announced ", change, ", is ", difference);
+                             ", level ", i, ": announced ", change, ", is ", now - then);
             }
         }
         return std::nullopt;
+    }
+
+    /// Beside what the changes of a criterion count as roundings; empty where it is out of range.
+    ///
+    /// The normal of a thin face is wrong by some epsilon times its thinness, the sum of the
+    /// squares of its sides over four times its area; so are the angles at its edges. Its area is
+    /// wrong in the same proportion, and so is the thinness (which is the sum of its cotangents)
+    /// itself.
+    [[nodiscard]] std::optional<double> size_of(CriterionKind kind, double value,
+                                                double thinness) const {
+        constexpr double roundings = 1024 * std::numeric_limits<double>::epsilon() / 1e-9;
+        const Sizing sizing = sizing_of(kind);
+        const auto unit = extent_.power(sizing.dimension);
+        if (!unit) return std::nullopt;
+        double rough = sizing.thinness > 0 ? roundings : 1;
+        for (int power = 0; power < sizing.thinness; ++power)
+            rough *= thinness;
+        return std::max({*unit, value, *unit * rough});
     }
 
     /// Whether the volume, its sign and the shape of the new edge are what the old one says.
@@ -150,10 +239,10 @@ private:
                          static_cast<int>(before.shape), " becomes ", static_cast<int>(now));
         }
         for (std::size_t k = 0; k < criteria_.size(); ++k) {
-            if (infos_[k]->kind != geometry::CriterionKind::volume) continue;
+            if (infos_[k]->kind != CriterionKind::volume) continue;
             const double change = before.changes[k].first();
-            const double size = before.values[k].first();
-            if (!agree(change, -before.volume, size)) {
+            const auto size = size_of(CriterionKind::volume, std::abs(before.values[k].first()), 0);
+            if (size && !agree(change, -before.volume, *size)) {
                 return found(GeometryClaim::change_of_volume, "edge ", e.id, ": ", -change,
                              ", the tetrahedron has ", before.volume);
             }
@@ -167,6 +256,7 @@ private:
     }
 
     Surface surface_;
+    Extent extent_;
     std::vector<const CriterionInfo*> infos_;
     std::vector<std::unique_ptr<Criterion>> criteria_;
 };
@@ -202,11 +292,11 @@ std::optional<GeometryFinding> curvature_claims_hold(const SurfaceView& surface)
     }
     const SurfaceMeasures sums = measure(surface);
     const double total = 2 * pi * sums.euler_characteristic;
-    if (!agree(sums.total_curvature, total, sums.total_absolute_curvature)) {
+    if (!angles_agree(sums.total_curvature, total, sums.total_absolute_curvature)) {
         return found(GeometryClaim::gauss_bonnet, sums.total_curvature, " instead of ", total);
     }
-    if (!agree(sums.total_absolute_curvature, sums.absolute_curvature_by_cones(),
-               sums.total_absolute_curvature)) {
+    if (!angles_agree(sums.total_absolute_curvature, sums.absolute_curvature_by_cones(),
+                      sums.total_absolute_curvature)) {
         return found(GeometryClaim::cones_and_angles, sums.total_absolute_curvature, " and ",
                      sums.absolute_curvature_by_cones());
     }

@@ -27,15 +27,12 @@ auto& nth(Items& items, Index i) {
     return items[static_cast<std::size_t>(i)];
 }
 
-/// One name for the three rotations of a word.
-Word least_rotation(const Word& word) {
-    return begun_with(word, *std::ranges::min_element(word));
-}
-
 }  // namespace
 
 ReferenceModel::ReferenceModel(const Triangulation& surface)
     : vertex_count_(surface.vertex_count()) {
+    ends_.reserve(static_cast<std::size_t>(surface.edge_count()));
+    faces_.reserve(static_cast<std::size_t>(surface.face_count()));
     for (Index e = 0; e < surface.edge_count(); ++e) {
         const kernel::Halfedge h = halfedge_of(Edge{e});
         ends_.emplace_back(surface.origin(h).id, surface.target(h).id);
@@ -109,10 +106,10 @@ bool ReferenceModel::can_flip(Edge e) const {
 }
 
 bool ReferenceModel::flip(Edge e) {
-    if (!can_flip(e)) return false;
     const auto [first_face, second_face, first, second] = around(e);
     const auto& [plus, x, y] = first;
     const auto& [minus, p, q] = second;
+    if (start(y) == start(q)) return false;
     nth(ends_, e.id) = {start(q), start(y)};
     nth(faces_, first_face) = {plus, y, p};
     nth(faces_, second_face) = {minus, q, x};
@@ -120,10 +117,10 @@ bool ReferenceModel::flip(Edge e) {
 }
 
 bool ReferenceModel::unflip(Edge e) {
-    if (!can_flip(e)) return false;
     const auto [first_face, second_face, first, second] = around(e);
     const auto& [plus, y, p] = first;
     const auto& [minus, q, x] = second;
+    if (start(p) == start(x)) return false;
     nth(ends_, e.id) = {start(p), start(x)};
     nth(faces_, first_face) = {plus, x, y};
     nth(faces_, second_face) = {minus, p, q};
@@ -156,20 +153,24 @@ Gluing ReferenceModel::gluing() const {
 }
 
 std::optional<Edge> ReferenceModel::difference(const Triangulation& surface) const {
-    const ReferenceModel other(surface);
-    const auto [mine, others] = std::ranges::mismatch(ends_, other.ends_);
-    if (mine != ends_.end()) return Edge{static_cast<Index>(mine - ends_.begin())};
-    if (others != other.ends_.end() || other.faces_.size() != faces_.size()) return Edge{0};
-    std::vector<Word> words;
-    for (const Word& word : other.faces_)
-        words.push_back(least_rotation(word));
-    std::ranges::sort(words);
-    for (const Word& word : faces_) {
-        if (!std::ranges::binary_search(words, least_rotation(word))) {
-            return Edge{std::abs(word[0]) - 1};
-        }
+    if (surface.edge_count() != edge_count()) return Edge{0};
+    // The table that this model would have. A side that is nowhere run through forwards, or twice,
+    // leaves a record without a successor.
+    std::vector<kernel::HalfedgeRecord> table(2 * ends_.size());
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+        table[2 * e].origin = {ends_[e].first};
+        table[2 * e + 1].origin = {ends_[e].second};
     }
-    return std::nullopt;
+    const auto halfedge = [](SignedEdge s) {
+        return kernel::Halfedge{s > 0 ? 2 * (s - 1) : 2 * (-s - 1) + 1};
+    };
+    for (const Word& word : faces_) {
+        for (std::size_t i = 0; i < 3; ++i)
+            nth(table, halfedge(word[i]).id).next = halfedge(word[(i + 1) % 3]);
+    }
+    const auto [mine, others] = std::ranges::mismatch(table, surface.table());
+    if (mine == table.end()) return std::nullopt;
+    return Edge{static_cast<Index>(mine - table.begin()) / 2};
 }
 
 }  // namespace tightflip::properties

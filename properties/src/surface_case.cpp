@@ -1,34 +1,35 @@
 #include <tightflip/properties/surface_case.hpp>
 
-#include <vector>
+#include <limits>
+#include <sstream>
+#include <utility>
 
 namespace tightflip::properties {
-namespace {
-
-double draw(kernel::RandomStream& random, std::uint32_t grid) {
-    if (grid == 0) return static_cast<double>(random.bits() >> 11) * 0x1p-52 - 1;
-    return static_cast<double>(random.below(2 * grid + 1)) - grid;
-}
-
-}  // namespace
 
 geometry::Surface SurfaceCase::start() const {
     Triangulation triangulation = flips.start();
-    kernel::RandomStream random(point_seed);
-    std::vector<geometry::Point> points(static_cast<std::size_t>(triangulation.vertex_count()));
-    for (geometry::Point& point : points) {
-        for (double& coordinate : point)
-            coordinate = draw(random, grid);
-    }
-    return {std::move(triangulation), std::move(points)};
+    const Index count = triangulation.vertex_count();
+    std::vector<geometry::Point> placed =
+        points.empty() ? point_kind->make(count, point_seed) : points;
+    placed.resize(static_cast<std::size_t>(count), geometry::Point::Zero());
+    return {std::move(triangulation), std::move(placed)};
 }
 
 std::string describe(const SurfaceCase& surface_case) {
-    const std::string points = surface_case.grid == 0
-                                   ? "points in general position"
-                                   : "points of integers to " + std::to_string(surface_case.grid);
-    return describe(surface_case.flips) + "; " + points + ", seed " +
-           std::to_string(surface_case.point_seed);
+    std::ostringstream out;
+    out.precision(std::numeric_limits<double>::max_digits10);
+    out << describe(surface_case.flips) << "; points ";
+    if (surface_case.points.empty()) {
+        out << surface_case.point_kind->name << ", seed " << surface_case.point_seed;
+        return out.str();
+    }
+    const geometry::Surface start = surface_case.start();
+    const char* separator = "";
+    for (const geometry::Point& point : start.points()) {
+        out << separator << point.x() << ' ' << point.y() << ' ' << point.z();
+        separator = ", ";
+    }
+    return out.str();
 }
 
 }  // namespace tightflip::properties

@@ -19,10 +19,11 @@ TEST(StartKinds, KeepTheirOrder) {  // corpora of the fuzz targets refer to it
     std::vector<std::string_view> names;
     for (const StartKind& kind : start_kinds())
         names.push_back(kind.name);
-    names.resize(std::min<std::size_t>(names.size(), 10));
-    EXPECT_THAT(names,
-                ::testing::ElementsAre("tetrahedron", "book", "double-wheel", "stacked", "prism",
-                                       "antiprism", "octasphere", "icosphere", "torus", "genus"));
+    names.resize(std::min<std::size_t>(names.size(), 16));
+    EXPECT_THAT(names, ::testing::ElementsAre("tetrahedron", "book", "double-wheel", "stacked",
+                                              "prism", "antiprism", "octasphere", "icosphere",
+                                              "torus", "genus", "random", "fan", "degree-2-chain",
+                                              "digons", "hub", "simple"));
 }
 
 TEST(StartKinds, AreFoundByTheirNamesAlone) {
@@ -106,6 +107,22 @@ TEST(RandomScript, DrawsEveryEdgeOfTheStartAboutEquallyOften) {
     EXPECT_EQ(random_script(start, 18'000, again), script);
     EXPECT_NE(random_script(start, 18'000, again), script);
     EXPECT_TRUE(random_script(start, 0, again).empty());
+}
+
+TEST(WithoutRefused, KeepsTheFlipsThatAreDone) {
+    const Triangulation book = make_nearest(*find_start_kind("book"), {.vertices = 5});
+    kernel::RandomStream random(1);
+    const FlipScript script = random_script(book, 60, random);
+    const FlipScript done = without_refused(book, script);
+    EXPECT_LT(done.size(), script.size());
+    EXPECT_GT(done.size(), 10U);
+    Triangulation all = book;
+    Triangulation only_done = book;
+    for (const Edge e : script)
+        static_cast<void>(all.flip(e));
+    for (const Edge e : done)
+        EXPECT_TRUE(only_done.flip(e));
+    EXPECT_EQ(all, only_done);
 }
 
 }  // namespace

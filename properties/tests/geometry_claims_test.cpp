@@ -1,7 +1,7 @@
 #include <tightflip/kernel/families.hpp>
 #include <tightflip/properties/geometry_claims.hpp>
+#include <tightflip/properties/googletest.hpp>
 #include <tightflip/properties/rapidcheck.hpp>
-#include <tightflip/properties/surface_case.hpp>
 
 #include <algorithm>
 #include <set>
@@ -11,36 +11,16 @@
 #include <rapidcheck/gtest.h>
 
 namespace tightflip::properties {
-
-static void showValue(const SurfaceCase& surface_case, std::ostream& out) {
-    out << describe(surface_case);
-}
-
 namespace {
 
-/// Shrinks towards short scripts on small starts, and to points in general position last.
-rc::Gen<SurfaceCase> any_surface_case(std::uint32_t most_grid) {
-    const FlipCaseLimits small{.genus = 2, .spare_vertices = 12, .flips = 16};
-    return rc::gen::map(
-        rc::gen::tuple(any_flip_case(small), rc::gen::inRange<std::uint32_t>(0, most_grid + 1),
-                       rc::gen::inRange<std::uint64_t>(0, 1 << 16)),
-        [](auto drawn) {
-            auto& [flips, grid, seed] = drawn;
-            return SurfaceCase{std::move(flips), grid, seed};
-        });
-}
-
-void require_claims(const SurfaceCase& surface_case) {
-    const auto finding = geometry_claims_hold(surface_case.start(), surface_case.script());
-    if (finding) RC_FAIL(describe(*finding));
-}
-
 RC_GTEST_PROP(GeometryClaims, HoldInGeneralPosition, ()) {
-    require_claims(*any_surface_case(0));
+    require_claim("geometry_claims_general",
+                  *any_surface_case({.only_points = find_point_kind("general")}),
+                  geometry_claims_hold);
 }
 
-RC_GTEST_PROP(GeometryClaims, HoldOnDegenerateData, ()) {
-    require_claims(*any_surface_case(3));
+RC_GTEST_PROP(GeometryClaims, HoldOnPointsOfEveryKind, (const SurfaceCase& surface_case)) {
+    require_claim("geometry_claims", surface_case, geometry_claims_hold);
 }
 
 TEST(GeometryClaims, HoldOnEveryFlipOfSmallSurfaces) {
@@ -57,8 +37,7 @@ TEST(GeometryClaims, HoldOnEveryFlipOfSmallSurfaces) {
             }
             for (Index e = 0; e < start.edge_count(); ++e) {
                 const std::vector<Edge> script(4, Edge{e});
-                const auto finding = geometry_claims_hold({start, points}, script);
-                EXPECT_FALSE(finding) << describe(*finding);
+                EXPECT_HOLDS(geometry_claims_hold, geometry::Surface(start, points), script);
             }
         }
     }

@@ -1,3 +1,4 @@
+#include "failures_directory.hpp"
 #include <tightflip/kernel/file_io.hpp>
 #include <tightflip/properties/claims.hpp>
 #include <tightflip/properties/rapidcheck.hpp>
@@ -34,7 +35,8 @@ RC_GTEST_PROP(LogProperty, ReproducesTheRun, (const FlipCase& flip_case)) {
 
 // ---- the generators ----
 
-FlipCase drawn(const rc::Gen<FlipCase>& gen, std::uint64_t seed, int size = rc::kNominalSize) {
+template <class T>
+T drawn(const rc::Gen<T>& gen, std::uint64_t seed, int size = rc::kNominalSize) {
     return gen(rc::Random(seed), size).value();
 }
 
@@ -82,8 +84,8 @@ TEST(AnyFlipCase, KeepsToItsLimits) {
 }
 
 /// What RapidCheck would do: the first shrink that still fails, again and again.
-template <class Fails>
-FlipCase shrunk(rc::Shrinkable<FlipCase> shrinkable, Fails&& fails) {
+template <class T, class Fails>
+T shrunk(rc::Shrinkable<T> shrinkable, Fails&& fails) {
     for (bool smaller = true; smaller;) {
         smaller = false;
         auto shrinks = shrinkable.shrinks();
@@ -129,27 +131,147 @@ TEST(AnyFlipCase, ShrinksToTheLeastSizeAndGenusThatFail) {
     EXPECT_EQ(tried, 10);
 }
 
+TEST(AnyFlipCase, KeepsToTheGraphTheGenusAndTheSizeAskedFor) {
+    struct Row {
+        GraphKind graph;
+        Index genus;
+        Index vertices;
+    };
+    for (const auto& [graph, genus, vertices] :
+         {Row{GraphKind::simple, 0, 4}, Row{GraphKind::simple, 1, 9}, Row{GraphKind::simple, 2, 20},
+          Row{GraphKind::multigraph, 0, 3}, Row{GraphKind::multigraph, 1, 3},
+          Row{GraphKind::multigraph, 4, 12}, Row{GraphKind::any, 0, 14},
+          Row{GraphKind::any, 3, 7}}) {
+        const FlipCaseLimits limits{
+            .graph = graph, .exact_genus = genus, .exact_vertices = vertices};
+        std::set<std::string_view> kinds;
+        for (std::uint64_t seed = 0; seed < 60; ++seed) {
+            const FlipCase flip_case = drawn(any_flip_case(limits), seed);
+            const kernel::AuditReport report = audit(flip_case.start());
+            EXPECT_EQ(report.topology.genus, genus);
+            EXPECT_EQ(report.topology.vertices, vertices);
+            if (graph != GraphKind::any) {
+                EXPECT_EQ(report.is_simple(), graph == GraphKind::simple);
+            }
+            kinds.insert(flip_case.kind->name);
+        }
+        EXPECT_GE(kinds.size(), 2U) << genus << ", " << vertices;
+    }
+}
+
+TEST(AnyFlipCase, ShrinksWithinItsLimits) {
+    const FlipCaseLimits limits{.graph = GraphKind::multigraph, .exact_genus = 2};
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        EXPECT_EQ(describe(shrunk(any_flip_case(limits)(rc::Random(seed), rc::kNominalSize),
+                                  [](const FlipCase&) { return true; })),
+                  "genus, V = 3, genus 2, seed 0, E = 15; flips none");
+    }
+}
+
+TEST(AnySurface, IsTheStartOfACase) {
+    const FlipCaseLimits limits{.graph = GraphKind::simple, .exact_genus = 1, .exact_vertices = 12};
+    const Triangulation surface = drawn(any_surface(limits), 5);
+    EXPECT_EQ(surface.genus(), 1);
+    EXPECT_EQ(surface.vertex_count(), 12);
+    EXPECT_THAT(rc::toString(surface), ::testing::StartsWith("tightflip-triangulation"));
+}
+
+// ---- scripts ----
+
+TEST(AnyScript, NamesEdgesOfItsStartAndShrinksToTheFewestAndLowest) {
+    const Triangulation start = FlipCase{}.start();
+    const auto has_two_flips = [](const FlipScript& script) {
+        return std::ranges::count_if(script, [](Edge e) { return e.id >= 1; }) >= 2;
+    };
+    int tried = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const auto shrinkable = any_script(start, 30)(rc::Random(seed), rc::kNominalSize);
+        for (const Edge e : shrinkable.value())
+            EXPECT_LT(e.id, start.edge_count());
+        EXPECT_LE(shrinkable.value().size(), 30U);
+        if (!has_two_flips(shrinkable.value())) continue;
+        ++tried;
+        EXPECT_EQ(shrunk(shrinkable, has_two_flips), (FlipScript{{1}, {1}}));
+    }
+    EXPECT_GT(tried, 10);
+    EXPECT_EQ(rc::toString(FlipScript{{3}, {1}}), "[3, 1]");
+}
+
+TEST(AnyDefinedScript, HasNoRefusedFlipAfterAnyShrink) {
+    const Triangulation start = make_nearest(*find_start_kind("fan"), {.vertices = 6});
+    std::size_t longest = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const auto defined = [&](const FlipScript& script) {
+            return kernel::replay({start, script}).is_complete();
+        };
+        const auto shrinkable = any_defined_script(start, 40)(rc::Random(seed), rc::kNominalSize);
+        longest = std::max(longest, shrinkable.value().size());
+        ASSERT_TRUE(defined(shrinkable.value()));
+        auto shrinks = shrinkable.shrinks();
+        while (const auto candidate = shrinks.next())
+            EXPECT_TRUE(defined(candidate->value()));
+    }
+    EXPECT_GT(longest, 10U);
+}
+
+// ---- points and surface cases ----
+
+TEST(AnyPoints, AreOfEveryKindOrOfTheOneAskedFor) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        for (const geometry::Point& point :
+             drawn(any_points(9, find_point_kind("subnormal")), seed))
+            EXPECT_LT(point.cwiseAbs().maxCoeff(), 1e-300);
+        EXPECT_EQ(drawn(any_points(9), seed).size(), 9U);
+    }
+}
+
+TEST(AnyPoints, ShrinkToFewSmallIntegers) {
+    using Points = std::vector<geometry::Point>;
+    const auto fails = [](const Points& points) { return points[3].z() < points[1].z(); };
+    int tried = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const auto shrinkable = any_points(6)(rc::Random(seed), rc::kNominalSize);
+        if (!fails(shrinkable.value())) continue;
+        ++tried;
+        Points least(6, geometry::Point::Zero());
+        const Points found = shrunk(shrinkable, fails);
+        (found[1].z() == 1 ? least[1] : least[3]).z() = found[1].z() == 1 ? 1 : -1;
+        EXPECT_EQ(found, least);
+    }
+    EXPECT_GT(tried, 10);
+}
+
+TEST(AnySurfaceCase, CoversEveryKindOfPoints) {
+    std::set<std::string_view> kinds;
+    for (std::uint64_t seed = 0; seed < 200; ++seed)
+        kinds.insert(drawn(any_surface_case(), seed).point_kind->name);
+    EXPECT_EQ(kinds.size(), point_kinds().size());
+}
+
+TEST(AnySurfaceCase, ShrinksStartScriptAndPoints) {
+    // Fails where an edge of different ends is flipped.
+    const auto fails = [](const SurfaceCase& surface_case) {
+        const geometry::Surface start = surface_case.start();
+        return std::ranges::any_of(surface_case.script(), [&](Edge e) {
+            const auto h = halfedge_of(e);
+            return start.point(start.triangulation().origin(h)) !=
+                   start.point(start.triangulation().target(h));
+        });
+    };
+    int tried = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const auto shrinkable = any_surface_case()(rc::Random(seed), rc::kNominalSize);
+        if (!fails(shrinkable.value())) continue;
+        ++tried;
+        const std::string found = describe(shrunk(shrinkable, fails));
+        EXPECT_THAT(found, ::testing::StartsWith("tetrahedron, V = 4, genus 0, seed 0, E = 6"));
+        EXPECT_THAT(found, ::testing::ContainsRegex("; flips [0-5]; points [01, ]+$"));
+        EXPECT_EQ(std::ranges::count(found.substr(found.find("points")), '1'), 1);
+    }
+    EXPECT_GT(tried, 5);
+}
+
 // ---- failing cases ----
-
-class InDirectory {  // where failing cases go, for the length of a test
-public:
-    explicit InDirectory(const std::filesystem::path& directory) : path_(directory) {
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-        setenv(failures_directory_variable, path_.c_str(), 1);
-    }
-    ~InDirectory() {
-        unsetenv(failures_directory_variable);
-        std::filesystem::remove_all(path_);
-    }
-    InDirectory(const InDirectory&) = delete;
-    InDirectory& operator=(const InDirectory&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// A claim that does not hold: no script flips edge 3 and later edge 1.
 std::optional<Finding> never_three_then_one(const Triangulation&, std::span<const Edge> script) {
@@ -161,8 +283,7 @@ std::optional<Finding> never_three_then_one(const Triangulation&, std::span<cons
 }
 
 TEST(RequireClaim, LeavesTheSmallestFailingCaseAsALogAndNamesIt) {
-    const InDirectory directory(std::filesystem::path(::testing::TempDir()) /
-                                "tightflip_require_claim");
+    const FailuresDirectory directory("require_claim");
     const auto result = rc::detail::checkTestable(
         [](const FlipCase& flip_case) {
             require_claim("three_then_one", flip_case, never_three_then_one);
@@ -182,8 +303,7 @@ TEST(RequireClaim, LeavesTheSmallestFailingCaseAsALogAndNamesIt) {
 }
 
 TEST(RequireClaim, WritesNothingWhereTheClaimHolds) {
-    const InDirectory directory(std::filesystem::path(::testing::TempDir()) /
-                                "tightflip_require_claim_holds");
+    const FailuresDirectory directory("require_claim_holds");
     require_claim("holds", FlipCase{}, never_three_then_one);
     EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
 }

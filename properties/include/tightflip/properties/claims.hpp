@@ -12,14 +12,16 @@ namespace tightflip::properties {
 
 /// Theorem 4.2: flips preserve the Euler characteristic, orientability, genus, V, E, F,
 /// connectedness, looplessness, strong connectedness, the three-neighbour rule and the cycles of
-/// faces about vertices. Every flip is checked in constant time, and the whole surface by a full
-/// audit after every `audit_every` attempts (0: never in between) and at the end.
+/// faces about vertices. Every flip is checked in constant time, and the whole surface by an audit
+/// after every `audit_every` attempts (0: never in between), quickly where nothing is wrong, and by
+/// the whole ladder at the end.
 [[nodiscard]] std::optional<Finding> topology_is_preserved(const Triangulation& start,
                                                            std::span<const Edge> script,
                                                            std::size_t audit_every = 1);
 
-/// The kernel and the reference model, flipped alike, agree after every attempt, and the audit of
-/// the model's own gluing finds the topology of the start. Quadratic time; for small surfaces.
+/// The kernel and the reference model, flipped alike, agree after every attempt: in whether the
+/// flip is allowed, and in every handle of the surface. So what an audit finds of the one holds of
+/// the other. Quadratic time; for small surfaces.
 [[nodiscard]] std::optional<Finding> reference_model_agrees(const Triangulation& start,
                                                             std::span<const Edge> script);
 

@@ -20,6 +20,7 @@ struct FlipCase {
     [[nodiscard]] Triangulation start() const { return make_nearest(*kind, request); }
     /// The start with the whole script, refused flips included.
     [[nodiscard]] kernel::FlipLog log() const;
+    [[nodiscard]] FlipScript script() const { return log().flips; }
 };
 
 /// One line: kind, sizes, seed and the script's edges.

@@ -44,4 +44,8 @@ struct StartKind {
 [[nodiscard]] FlipScript random_script(const Triangulation& start, std::size_t length,
                                        kernel::RandomStream& random);
 
+/// The flips of a script that are done, without those that are refused: each is defined when its
+/// turn comes. Linear time.
+[[nodiscard]] FlipScript without_refused(Triangulation start, std::span<const Edge> script);
+
 }  // namespace tightflip::properties

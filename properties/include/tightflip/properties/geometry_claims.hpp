@@ -3,7 +3,10 @@
 /// sections 4.1 and 4.2), as callable checks.
 ///
 /// All hold for any points, degenerate ones included, with the library's conventions for these.
-/// Signs are compared exactly, measures up to 1e-9 of their size.
+/// Signs are compared exactly, measures up to 1e-9 of their size: angles of 1 or of their sums,
+/// lengths, areas and volumes of the power of the surface's extent. Not compared are powers of the
+/// extent beyond 2^900 and 2^-900, nor what thin faces leave no digits of: changes of cotangents
+/// and of angles between normals (docs/properties.md says on which kinds of points).
 #pragma once
 
 #include <tightflip/geometry/surface.hpp>
