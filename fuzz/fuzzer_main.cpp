@@ -1,16 +1,48 @@
-// libFuzzer's door to a target.
+// A target for a fuzzer: libFuzzer, or another engine with the same entry points. Which target is
+// given as the name of its constant, TIGHTFLIP_FUZZ_TARGET.
 
-#include "target.hpp"
+#include "mutate.hpp"
+#include "targets.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
+using namespace tightflip::fuzz;  // NOLINT(google-build-using-namespace)
+
+namespace {
+const Target& target = TIGHTFLIP_FUZZ_TARGET;
+
+std::size_t put(const InputBytes& input, std::uint8_t* data) {
+    std::ranges::copy(input, data);
+    return input.size();
+}
+}  // namespace
+
+/// libFuzzer's own mutation; other engines have none.
+extern "C" [[gnu::weak]] std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
+                                                      std::size_t most);
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace tightflip;
-    if (const std::string objected = fuzz::objection({data, size}); !objected.empty()) {
+    const Input input(data, size);
+    if (!is_of_this_version(target.layout, input)) return -1;  // not to be kept
+    if (const std::string objected = objection(target, input); !objected.empty()) {
         std::cerr << "\n" << objected << "\n";
-        fuzz::show(std::cerr, {data, size});
+        target.show(std::cerr, input);
         std::abort();
     }
     return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed) {
+    return put(mutate(target.layout, {data, size}, most, seed, LLVMFuzzerMutate), data);
+}
+
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* first, std::size_t first_size,
+                                                 const std::uint8_t* second,
+                                                 std::size_t second_size, std::uint8_t* out,
+                                                 std::size_t most, unsigned seed) {
+    return put(cross_over(target.layout, {first, first_size}, {second, second_size}, most, seed),
+               out);
 }

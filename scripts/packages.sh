@@ -2,9 +2,13 @@
 packages_build=(g++ cmake make libeigen3-dev libcgal-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
 packages_report=(libjs-three libjs-chart.js)
 packages_test=("${packages_build[@]}" "${packages_report[@]}" libgtest-dev libgmock-dev
-               librapidcheck-dev libboost-graph-dev libopenmesh-dev librsvg2-bin pkg-config chromium)
+               librapidcheck-dev libboost-graph-dev libopenmesh-dev librsvg2-bin pkg-config chromium
+               python3)
 packages_bench=("${packages_build[@]}" libbenchmark-dev libopenmesh-dev)
-packages_fuzz=(clang libclang-rt-14-dev)
+packages_kernels=(libopenmesh-dev)  # which conformance and fuzz targets compare, beside CGAL
+packages_fuzz=("${packages_kernels[@]}" clang libclang-rt-14-dev llvm python3)
+packages_afl=(afl++)
+packages_proof=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-fingroup libcoq-mathcomp-algebra ocaml-nox)
 packages_lint=("${packages_fuzz[@]}" clang-format clang-tidy git)
 
 # install_missing PACKAGE...: installs with apt-get what dpkg does not know to be installed.

@@ -1,6 +1,6 @@
-#include "flip_path.hpp"
+#include "targets/flip_path.hpp"
 
-#include "target_corpus.hpp"
+#include "targets.hpp"
 #include <tightflip/kernel/random.hpp>
 #include <tightflip/kernel/surface_equality.hpp>
 
@@ -14,29 +14,35 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using Bytes = std::vector<std::uint8_t>;
 
-TEST(FlipPath, TakesSizeTwoStartsAndTheirFlips) {
-    const PathCase ends = decode_path_case(Bytes{6, 0, 9, 0, 1, 7, 3, 1, 5, 0, 255, 255, 7});
+TEST(FlipPath, IsSizeTwoStartsAndTheirFlips) {
+    const PathCase ends = decode_path_case(
+        InputBytes{1, 6, 0, 9, 0, 1, 7, 3, /* flips */ 0, 5, 0, 1, 255, 255, 2, 7});
     EXPECT_EQ(ends.from.vertex_count(), 10);
     EXPECT_EQ(ends.to.vertex_count(), 10);
-    EXPECT_THAT(ends.words, StartsWith("V = 10; from: book, seed 9, labels 0, flips 5"));
-    EXPECT_THAT(ends.words, HasSubstr("; to: random, seed 7, labels 3, flips 15"));  // 65535 mod 24
+    EXPECT_THAT(ends.words,
+                StartsWith("V = 10; from: book, seed 9, labels 0, flips 5 (refused) 7 (refused);"));
+    EXPECT_THAT(ends.words, HasSubstr("; to: random, seed 7, labels 3, flips 15"));  // mod 24
 }
 
-TEST(FlipPath, ReadsMissingBytesAsZero) {
+TEST(FlipPath, MissingBytesCountAsZero) {
     const PathCase ends = decode_path_case({});
     EXPECT_EQ(ends.from, ends.to);
     EXPECT_EQ(ends.from.vertex_count(), least_path_vertices);
-    EXPECT_EQ(decode_path_case(Bytes{36}).to.vertex_count(), most_path_vertices);
-    EXPECT_EQ(decode_path_case(Bytes{37}).to.vertex_count(), least_path_vertices);
+    EXPECT_EQ(decode_path_case(InputBytes{1, 36}).to.vertex_count(), most_path_vertices);
+    EXPECT_EQ(decode_path_case(InputBytes{1, 37}).to.vertex_count(), least_path_vertices);
+}
+
+TEST(FlipPath, HasAtMostSoManyFlips) {
+    const PathCase longest = decode_path_case(InputBytes(path_layout.most_bytes(), 1));
+    EXPECT_EQ(decode_path_case(InputBytes(path_layout.most_bytes() + 9, 1)).words, longest.words);
 }
 
 TEST(FlipPath, HoldsForEveryByteString) {
     kernel::RandomStream random(1);
     std::set<kernel::Index> sizes;
     for (int k = 0; k < 300; ++k) {
-        Bytes bytes(random.below(60));
+        InputBytes bytes(random.below(60));
         for (std::uint8_t& byte : bytes)
             byte = static_cast<std::uint8_t>(random.bits());
         const PathCase ends = decode_path_case(bytes);
@@ -50,17 +56,17 @@ TEST(FlipPath, HoldsForEveryByteString) {
 }
 
 TEST(FlipPath, ObjectsToEndsThatDoNotConnect) {
-    PathCase ends = decode_path_case(Bytes{6});
-    ends.to = decode_path_case(Bytes{7}).to;
-    EXPECT_THAT(path_objection(ends), HasSubstr("no path"));
+    PathCase ends = decode_path_case(InputBytes{1, 6});
+    ends.to = decode_path_case(InputBytes{1, 7}).to;
+    EXPECT_THAT(path_objection(ends), StartsWith("connect: "));
 }
 
-TEST(FlipPath, TheCorpusHasEqualEndsBooksAndFewAndManyVertices) {
+TEST(FlipPath, TheSeedsHaveEqualEndsBooksAndFewAndManyVertices) {
     std::set<kernel::Index> sizes;
     bool equal_ends = false;
     bool two_books = false;
-    for (const Bytes& bytes : corpus("flip_path")) {
-        const PathCase ends = decode_path_case(bytes);
+    for (const Seed& seed : flip_path_target.seeds()) {
+        const PathCase ends = decode_path_case(seed.bytes);
         sizes.insert(ends.from.vertex_count());
         equal_ends |= same_labelled_surface(ends.from, ends.to);
         two_books |= ends.words.find("from: book") != std::string::npos &&

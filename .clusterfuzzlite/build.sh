@@ -1,0 +1,2 @@
+#!/bin/bash -eu
+exec "$SRC/tightflip/fuzz/oss-fuzz/build.sh"
