@@ -28,7 +28,7 @@ constexpr std::array samples{
            "o x\ng a b\ns off\nusemtl m\nf 1/1/1 3//1 2/1\nf -4 -3 -1\nl 1 2\np 1\n"
            "f 2 3 \\\n 4\nf 3 1 4\n"},
     Sample{"obj_polygon", "obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 4 3 2 1\n"},
-    Sample{"obj_two_faces", "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n"},
+    Sample{"obj_front_and_back", "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n"},
     Sample{"obj_corner_zero", "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"},
     Sample{"obj_corner_missing", "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"},
     Sample{"obj_corner_before_the_first", "obj", "v 0 0 0\nf -1 -2 -3\n"},
@@ -204,7 +204,7 @@ std::vector<MeshSample> mesh_samples() {
                 {std::string(way) + "_" + name, std::string(geometry::name(format)), bytes});
         }
     }
-    all.push_back({"stl_binary_two_faces", "stl", binary_stl(2)});
+    all.push_back({"stl_binary_front_and_back", "stl", binary_stl(2)});
     all.push_back({"stl_binary_cut", "stl", binary_stl(3)});
     all.push_back({"stl_binary_too_long", "stl", binary_stl(1)});
     all.push_back({"stl_binary_huge", "stl", binary_stl(0xffffffffU)});

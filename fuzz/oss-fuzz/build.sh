@@ -6,9 +6,12 @@
 source="$SRC/tightflip"
 build="$WORK/tightflip"
 
+# OpenMesh's package is compiled against another standard library than fuzzers are in the images that
+# run this: other kernels are left out unless TIGHTFLIP_OTHER_KERNELS=ON says that they link.
 # Build type None, and anew each time: the flags are the caller's alone.
 cmake --fresh -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=None -DTIGHTFLIP_BUILD_FUZZERS=ON \
     -DTIGHTFLIP_BUILD_TESTS=OFF -DTIGHTFLIP_BUILD_TOOLS=OFF -DTIGHTFLIP_INSTALL=OFF \
+    -DTIGHTFLIP_OTHER_KERNELS="${TIGHTFLIP_OTHER_KERNELS:-OFF}" \
     -DLIB_FUZZING_ENGINE="$LIB_FUZZING_ENGINE"
 cmake --build "$build" --parallel "$(nproc)"
 

@@ -225,7 +225,7 @@ OptimiseCase decode_optimise(Input input) {
     run.options.allowed = allowed_flips.at(flags % allowed_flips.size());
     run.options.order = flags / allowed_flips.size() % 2 == 0 ? FlipOrder::first : FlipOrder::best;
     run.options.seed = flags / (2 * allowed_flips.size());
-    run.options.max_flips = flips_a_step * (bytes.byte() % most_steps);
+    run.options.max_flips = std::int64_t{flips_a_step} * (bytes.byte() % most_steps);
     const Index edges = run.surface.start().triangulation().edge_count();
     while (!bytes.empty())
         run.locked.push_back({static_cast<Index>(bytes.pair()) % edges});
