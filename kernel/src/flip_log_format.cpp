@@ -191,6 +191,9 @@ RawFlipLog parse_binary(std::string_view bytes, const std::string& source) {
     }
     RawTable table;
     table.vertex_count = cursor.index();
+    if (table.vertex_count < 0) {
+        cursor.fail("the number of vertices is negative: " + std::to_string(table.vertex_count));
+    }
     const Index halfedges = cursor.count("halfedges", 8);
     table.records.resize(static_cast<std::size_t>(halfedges));
     for (auto& [next, origin] : table.records) {

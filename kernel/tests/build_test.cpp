@@ -209,6 +209,15 @@ TEST(GlueFaces, LeavesSidesUngluedWhoseNeighbourTheListDoesNotTell) {
     }
 }
 
+TEST(GlueFaces, NamesAnEdgeOfThreeFacesAsOneOfFour) {
+    const FaceList three_faces_at_an_edge{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+    const FaceListReading reading = glue_faces(three_faces_at_an_edge, 5);
+    ASSERT_EQ(reading.violations.size(), 1U);
+    EXPECT_EQ(reading.violations.front().code, edge_in_more_than_two_faces);
+    EXPECT_EQ(reading.violations.front().found, 3);
+    EXPECT_THAT(reading.violations.front().witness, ElementsAre(0, 1, 2));
+}
+
 TEST(GlueFaces, DoesNotMindCornersOutOfRange) {
     const FaceList faces{{0, 1, -7}, {1, 0, 2147483647}};
     const FaceListReading reading = glue_faces(faces, 3);

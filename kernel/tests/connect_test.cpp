@@ -145,6 +145,19 @@ TEST(Connect, TakesLinearlyManyFlipsWherePagesStandInOrderOrInReverse) {
     EXPECT_LE(swapped.value().flips.size(), std::size_t{12 * vertices});
 }
 
+// Vertices 0 and 1 are hubs of the one book, 1 and 2 of the other: at the common one nothing needs
+// to be gathered, at another 2 V - 6 flips are needed for that alone.
+TEST(Connect, GathersWhereBothEndsHaveLeastToGather) {
+    constexpr Index vertices = 100;
+    const Triangulation book = families::book(vertices);
+    std::vector<Index> labels(static_cast<std::size_t>(vertices));
+    std::iota(labels.begin(), labels.end(), 0);
+    std::swap(labels[0], labels[2]);
+    const Triangulation other = with_labels(book, labels);
+    EXPECT_LE(connect(book, other).value().flips.size(), std::size_t{4 * vertices});
+    EXPECT_LE(connect(other, book).value().flips.size(), std::size_t{4 * vertices});
+}
+
 TEST(ConnectBound, IsTheFormulaOfItsDocumentation) {
     const std::map<Index, std::int64_t> by_hand{
         {3, 0}, {4, 12}, {5, 28}, {6, 40}, {7, 62}, {10, 104}, {11, 136}, {1'000'000, 47'999'896}};

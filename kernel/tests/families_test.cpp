@@ -1,5 +1,6 @@
 #include "surfaces.hpp"
 #include <tightflip/kernel/audit.hpp>
+#include <tightflip/kernel/build.hpp>
 #include <tightflip/kernel/families.hpp>
 #include <tightflip/kernel/surface_equality.hpp>
 
@@ -94,6 +95,9 @@ void expect_surface(const Triangulation& surface, Index vertices, Index genus, b
 TEST(Families, Tetrahedron) {
     expect_surface(families::tetrahedron(), 4, 0, true);
     EXPECT_EQ(flippable_edges(families::tetrahedron()), 6);
+    EXPECT_TRUE(same_labelled_surface(
+        families::tetrahedron(),
+        build(testing::FaceList{{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}, 4).value()));
 }
 
 TEST(Families, Book) {

@@ -135,6 +135,24 @@ TEST(FindPath, FarthestPairsOfSixVerticesAreTenFlipsApart) {
     EXPECT_EQ(greatest, 10U);
 }
 
+/// How many are within so many flips of where they were reached from.
+std::size_t count_within(const std::vector<Reached>& component, std::size_t distance) {
+    const auto is_near = [&](const Reached& reached) { return reached.distance <= distance; };
+    return static_cast<std::size_t>(std::ranges::count_if(component, is_near));
+}
+
+TEST(FindPath, SeesNothingTwiceAndNothingBeyondTheMiddle) {
+    for (const Triangulation& source : classes_among(component_of(families::book(6)))) {
+        const std::vector<Reached> near = component_of(source);
+        const auto& [target, distance] = near.back();
+        const std::size_t most = count_within(near, distance / 2) +
+                                 count_within(component_of(target), distance - distance / 2);
+        const PathSearch search = find_path(source, target, {.shortest = true});
+        EXPECT_GE(search.states, 700U) << "enough for the table of states to grow";
+        EXPECT_LE(search.states, most);
+    }
+}
+
 TEST(FindPath, TheTetrahedronIsTurnedInsideOutByTwoFlips) {
     const Triangulation tetrahedron = families::tetrahedron();
     EXPECT_EQ(shortest(tetrahedron, with_labels_exchanged(tetrahedron, 0, 3)), 2U);
@@ -243,6 +261,21 @@ TEST(FindPath, SaysWhenALimitWasReached) {
     EXPECT_EQ(little.outcome, PathOutcome::not_found);
     EXPECT_GT(little.states, 100U);
     EXPECT_LT(little.states, 2000U);
+}
+
+TEST(FindPath, NeverAsksForMoreFlipsThanAreNeeded) {
+    const Triangulation from = families::book(5);
+    for (const auto& [to, distance] : component_of(from)) {
+        if (distance == 0 || distance > 3) continue;
+        PathOptions options{.shortest = true, .most_states = 0};
+        PathSearch search = find_path(from, to, options);
+        for (; !search; search = find_path(from, to, options)) {
+            EXPECT_GE(search.least_length, 1);
+            EXPECT_LE(search.least_length, static_cast<std::int64_t>(distance));
+            options.most_states += 10;
+        }
+        EXPECT_EQ(search.path->flips.size(), distance);
+    }
 }
 
 TEST(FindPath, StopsWhenAskedTo) {

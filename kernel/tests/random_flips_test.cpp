@@ -61,6 +61,12 @@ TEST(RandomFlips, OneSeedIsOneWalk) {
     EXPECT_NE(walk(1), walk(2));
 }
 
+// Two of the book's six edges can be flipped, so that all draws in a row miss now and then.
+TEST(RandomFlips, GoOnWhereManyDrawsInARowMiss) {
+    Triangulation book = families::book(4);
+    EXPECT_EQ(flip_at_random(book, {.count = 1000, .seed = 1}).size(), 1000U);
+}
+
 TEST(RandomFlips, EndWhereThereIsNone) {
     Triangulation tetrahedron = families::tetrahedron();
     EXPECT_EQ(flip_at_random(tetrahedron, {.count = 5, .simple = true}).size(), 0U);

@@ -337,6 +337,8 @@ TEST(Triangulation, IsEqualOnlyWhereHandlesMeanTheSame) {
 TEST(Triangulation, HashesConsistentlyWithEquality) {
     const std::hash<Triangulation> hash;
     EXPECT_EQ(hash(surface(testing::octahedron())), hash(surface(testing::octahedron())));
+    EXPECT_NE(hash(surface(testing::tetrahedron())),
+              hash(surface(testing::relabelled(testing::tetrahedron(), {1, 0, 2, 3}, 4))));
     Triangulation walking = surface(testing::seven_vertex_torus());
     std::unordered_set<Triangulation> tables;
     std::set<std::size_t> hashes;

@@ -1,0 +1,1 @@
+"""Plants small faults, one at a time, and sees which test notices."""
