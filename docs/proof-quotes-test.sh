@@ -35,6 +35,8 @@ done <"$page"
 [ -z "$inside" ] || { echo "$page:$inside: this block has no end"; status=1; }
 
 # Rows that end in | `theorem` | `file.v` |, also with several theorems.
+# shellcheck disable=SC2016
+row='s/^\|.*\| *((`[a-zA-Z_0-9]+`(, )?)+) *\| *(`[a-z_]+\.v`) *\|$/\1|\4/p'
 rows=0
 while IFS='|' read -r names file; do
     file=${file//[\` ]/}
@@ -49,8 +51,11 @@ while IFS='|' read -r names file; do
             status=1
         }
     done
-done < <(sed -nE 's/^\|.*\| *((`[a-z_0-9A-Z]+`(, )?)+) *\| *(`[a-z_]+\.v`) *\|$/\1|\4/p' "$page")
+done < <(sed -nE "$row" "$page")
 
-[ "$blocks" -gt 0 ] && [ "$rows" -gt 0 ] || { echo "$page quotes nothing"; status=1; }
+if [ "$blocks" -eq 0 ] || [ "$rows" -eq 0 ]; then
+    echo "$page quotes nothing"
+    status=1
+fi
 echo "$blocks quotations, $rows theorems"
 exit $status

@@ -51,6 +51,14 @@ TEST(MeshWriter, PlyKeepsParallelEdges) {
     }
 }
 
+// Binary rows are written in blocks of 2^16 bytes.
+TEST(MeshWriter, KeepsMoreThanOneBlockOfBytes) {
+    const Surface large = with_random_points(kernel::families::icosphere(4), 1);
+    const std::string bytes = written(large, MeshFormat::ply, {.encoding = MeshEncoding::binary});
+    EXPECT_GT(bytes.size(), std::size_t{1} << 16);
+    expect_same_surface(read_back(bytes, MeshFormat::ply), large);
+}
+
 TEST(MeshWriter, PlySaysTheGluingOnlyWhereItMust) {
     const Surface simple = regular_tetrahedron();
     const Surface book = with_random_points(kernel::families::book(6), 1);

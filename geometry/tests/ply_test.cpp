@@ -204,6 +204,7 @@ TEST(Ply, RefusesBadBytesWithTheirPlaceAndTheReason) {
         {
             at_byte(end - 13, good.substr(0, end - 1), "3 entries does not fit in the 11 bytes"),
             at_byte(cut.size(), cut, "inside row 0 of the 1 of 'face'"),
+            at_byte(cut.size(), cut + "half", "inside row 0 of the 1 of 'face'"),
             at_byte(end, good + "\n", "1 bytes follow"),
             at_byte(end - 13, changed(13, "\x02"), "2 corners"),
             at_byte(end - 13, changed(13, "\xff"), "255 entries"),
@@ -213,6 +214,14 @@ TEST(Ply, RefusesBadBytesWithTheirPlaceAndTheReason) {
             at_byte(end - 52 - 12, changed(52 + 4, nan), "vertex 3 is not finite"),
         },
         "mesh.ply", {});
+}
+
+TEST(Ply, RefusesCountsThatFitOneByOneButNotTogether) {
+    const std::string header = replaced(samples::ply_header("ascii"), "face 4", "face 20");
+    const auto lines = static_cast<std::uint64_t>(std::ranges::count(header, '\n'));
+    const std::string text = header + "0 0 0\n0 0 1\n0 1 0\n1 0 0\n" + std::string(20, '0');
+    expect_refused({at_line(lines, text, "20 rows of 'face', which do not fit in the 44 bytes")},
+                   "mesh.ply", {});
 }
 
 TEST(Ply, RefusesAListLongerThanTheFileWithoutRoomForIt) {

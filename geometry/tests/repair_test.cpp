@@ -75,9 +75,12 @@ TEST(Repair, DistancesThatAreNoneAreRefused) {
 }
 
 TEST(Repair, DropsFacesThatRepeatACornerOrAFace) {
-    TriangleSoup soup = read_obj(samples::obj() + "f 1 1 2\nf 2 4 1\nf 4 2 1\nf 3 3 3\n");
+    std::string text = samples::obj() + "f 2 4 1\nf 4 2 1\nf 3 3 3\n";
+    text.insert(text.find("f 1 3 2"), "f 1 1 2\n");
+    TriangleSoup soup = read_obj(text);
     EXPECT_TRUE(audit(glue(soup)).has(kernel::ViolationCode::corners_not_distinct));
-    const Positions positions(soup.triangle_positions.begin(), soup.triangle_positions.begin() + 4);
+    const Positions positions(soup.triangle_positions.begin() + 1,
+                              soup.triangle_positions.begin() + 5);
     const RepairReport report = repair(soup, {.drop_faces = true});
     EXPECT_EQ(report, (RepairReport{.faces_repeating_corners = 2, .faces_repeating_faces = 2}));
     EXPECT_EQ(soup.triangles, tetrahedron_faces);

@@ -146,6 +146,8 @@ TEST_F(SurfaceFiles, DamageIsRefusedWithItsPlace) {
     const SurfaceFile damaged(write("b", table));
     EXPECT_FALSE(damaged.audit().is_valid());
     EXPECT_THAT(refusal([&] { (void)damaged.surface(); }), HasSubstr("halfedge"));
+    const SurfaceFile open(write("b.obj", samples::obj() + "v 9 9 9\n"));
+    EXPECT_THAT(refusal([&] { (void)open.surface(); }), HasSubstr("b.obj:11: vertex 4"));
     EXPECT_THAT(refusal([&] { (void)SurfaceFile(write("c.obj", "")); }), HasSubstr("empty"));
     EXPECT_THAT(refusal([&] { (void)SurfaceFile(write("c", "hello\n")); }),
                 HasSubstr("OBJ, OFF, PLY"));
