@@ -111,9 +111,9 @@ std::string guarded_objection(const Target& target, Input input, unsigned second
 }
 
 InputBytes minimise(const Target& target, Input input) {
-    const InputBytes bytes(input.begin(), input.end());
     const std::string objected = guarded_objection(target, input);
-    if (objected.empty()) return bytes;
+    if (objected.empty()) return {input.begin(), input.end()};
+    const InputBytes bytes(input.begin(), input.end());
     const std::string_view claim = claim_of(objected);
     const auto minimised = [&](const Fails& fails) {
         return target.layout.is_text() ? minimised_text(bytes, fails)

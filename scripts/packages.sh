@@ -8,7 +8,7 @@ packages_bench=("${packages_build[@]}" libbenchmark-dev libopenmesh-dev)
 packages_kernels=(libopenmesh-dev)  # which conformance and fuzz targets compare, beside CGAL
 packages_fuzz=("${packages_kernels[@]}" clang libclang-rt-14-dev llvm python3)
 packages_afl=(afl++)
-packages_proof=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-fingroup libcoq-mathcomp-algebra ocaml-nox)
+packages_proof=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-fingroup libcoq-mathcomp-algebra ocaml)
 packages_lint=("${packages_fuzz[@]}" clang-format clang-tidy git)
 
 # install_missing PACKAGE...: installs with apt-get what dpkg does not know to be installed.

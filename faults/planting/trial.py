@@ -1,5 +1,6 @@
 """One fault: which program notices it."""
 
+import re
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -9,6 +10,8 @@ from .build import run
 from .programs import ROOMS
 from .tree import planted
 
+# What is undefined is no constant either.
+ASSERTED = re.compile("static assertion failed|non-constant condition for static assertion")
 KILLED, HUNG, SURVIVED, UNCOMPILED = "killed", "killed by time limit", "survived", "does not compile"
 
 
@@ -85,7 +88,7 @@ class Trial:
         if broken:
             log = (self.folder / "compiler.txt").read_text(errors="replace")
             ours = all(unit.source == self.build.tree / (program.source or "") for unit in broken)
-            if ours and "static assertion failed" in log:
+            if ours and ASSERTED.search(log):
                 return KILLED, "a static assertion"
             return UNCOMPILED, broken[0].source.name
         if not program.runs:

@@ -268,6 +268,16 @@ TEST(Curvature, PartsAreNeverNegativeAndDifferByTheDeficit) {
     }
 }
 
+TEST(Curvature, AVertexWithANeighbourAtItsPointIsMixedOrSaddle) {
+    const Point at_vertex_0(0, 0, 0);
+    const auto type_with = [&](const Point& x, const Point& y) {
+        const std::vector<Point> points{at_vertex_0, at_vertex_0, x, y};
+        return at_vertex({kernel::families::tetrahedron(), points}, 0).type;
+    };
+    EXPECT_EQ(type_with({1, 0, 0}, {-1, 0, 0}), VertexType::saddle);
+    EXPECT_EQ(type_with({1, 0, 0}, {0, 1, 0}), VertexType::mixed);
+}
+
 TEST(Curvature, AHubOfHighDegreeIsMeasuredInLittleTime) {
     constexpr Index rim = 100000;
     Triangulation wheel = kernel::families::double_wheel(rim + 2);

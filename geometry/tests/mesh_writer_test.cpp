@@ -171,6 +171,10 @@ TEST(MeshWriter, RefusalsNameTheVerticesTheReasonAndTheWayOut) {
                                   {tetrahedron({1, 1e60, 0}),
                                    MeshFormat::stl,
                                    MeshEncoding::binary,
+                                   {"vertex 3", "float", "as text"}},
+                                  {tetrahedron({1, -1e60, 0}),
+                                   MeshFormat::stl,
+                                   MeshEncoding::binary,
                                    {"vertex 3", "float", "as text"}}};
     for (const Case& c : cases) {
         const auto obstacle = obstacle_to_writing(c.surface.view(), c.format, c.encoding);

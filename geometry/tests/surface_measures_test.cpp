@@ -87,6 +87,15 @@ TEST(SurfaceMeasures, OfRegularSolidsByTheirFormulas) {
     }
 }
 
+TEST(SurfaceMeasures, FoldedEdgesHaveASizeAndNoSign) {
+    const SurfaceMeasures found = measure(
+        Surface(kernel::families::book(3), std::vector<Point>{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}})
+            .view());
+    EXPECT_EQ(found.integral_mean_curvature, 0);
+    EXPECT_DOUBLE_EQ(found.mean_absolute_curvature, 3 * pi / 2);
+    EXPECT_DOUBLE_EQ(found.mean_absolute_curvature_weighted, 12 * pi / 2);
+}
+
 TEST(SurfaceMeasures, AreasOfNeedles) {
     // A corner with three orthogonal edges, which are no axes, one of them very long; the area of
     // the face opposite the corner is the root of the squares of the others (de Gua).
