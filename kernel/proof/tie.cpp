@@ -12,6 +12,7 @@
 #include <tightflip/kernel/halfedge_audit.hpp>
 #include <tightflip/kernel/random.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -58,9 +59,12 @@ constexpr Turn unflipping{"unflip", unflip};
 
 /// One turn; with the whole table afterwards where that is asked for.
 void write_turn(const Turn& turn, Table& table, Edge e, bool whole) {
+    const bool may = static_cast<bool>(can_flip(table, e));
     const bool done = static_cast<bool>(turn.turn(table, e));
     std::printf("%s %d\n", turn.name, e.id);
-    if (!done) {
+    if (may != done) {
+        std::puts("can_flip says otherwise");  // which the checker takes for no answer
+    } else if (!done) {
         std::puts("refused");
     } else if (!whole) {
         std::puts("done");

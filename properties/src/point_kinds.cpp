@@ -40,7 +40,7 @@ Point grid_point(RandomStream& random, int size) {
 /// A grid point other than the origin.
 Point grid_direction(RandomStream& random, int size) {
     for (;;) {
-        const Point point = grid_point(random, size);
+        Point point = grid_point(random, size);
         if (!point.isZero(0)) return point;
     }
 }
@@ -98,7 +98,7 @@ Points near_collinear(Index count, std::uint64_t seed) {
 /// Two directions across each other.
 std::array<Point, 2> grid_plane(RandomStream& random) {
     for (;;) {
-        const std::array<Point, 2> plane{grid_direction(random, 3), grid_direction(random, 3)};
+        std::array<Point, 2> plane{grid_direction(random, 3), grid_direction(random, 3)};
         if (std::abs(plane[0].dot(plane[1])) < plane[0].norm() * plane[1].norm()) return plane;
     }
 }

@@ -34,6 +34,7 @@ struct Complexity {
             }
         }
     }
+    // NOLINTNEXTLINE(modernize-use-nullptr): the comparison with 0 is inside the defaulted operator
     friend auto operator<=>(const Complexity&, const Complexity&) = default;
 };
 
