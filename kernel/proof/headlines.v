@@ -7,6 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup ssralg ssrint.
 From Tightflip Require surface flip invariants order genus reach hub slide star book equal_books.
 From Tightflip Require patch sorting connected higher_genus every_genus signed orientability.
 From Tightflip Require oriented non_orientable tables refinement audit_complete.
+From Tightflip Require contour rehang merging short_paths.
 
 (* Theorem 4.2. *)
 Check invariants.theorem_4_2.
@@ -121,6 +122,22 @@ Check connected.theorem_4_3.
 Print Assumptions connected.theorem_4_3.
 Check connected.theorem_4_3_same_darts.
 Print Assumptions connected.theorem_4_3_same_darts.
+Check contour.equal_contours.
+Print Assumptions contour.equal_contours.
+Check rehang.hang_back.
+Print Assumptions rehang.hang_back.
+Check rehang.hang_on.
+Print Assumptions rehang.hang_on.
+Check merging.merge_legs.
+Print Assumptions merging.merge_legs.
+Check merging.sort_legs.
+Print Assumptions merging.sort_legs.
+Check merging.chain_legs.
+Print Assumptions merging.chain_legs.
+Check short_paths.book_contour.
+Print Assumptions short_paths.book_contour.
+Check short_paths.theorem_4_3_short.
+Print Assumptions short_paths.theorem_4_3_short.
 
 (* Beyond the sphere. *)
 Check higher_genus.three_vertices_no_flip.
