@@ -138,6 +138,22 @@ TEST(Optimise, BestFirstEndsTheSameWhateverTheNumbers) {
     }
 }
 
+TEST(Optimise, BestDoesWhatImprovesMost) {
+    Surface surface = with_random_points(kernel::families::random(30, 0, 3), 5);
+    Surface followed = surface;
+    const OptimiseResult result = optimise_by(surface, "area", {.order = FlipOrder::best});
+    ASSERT_GT(result.flips.size(), 10U);
+    for (const Edge done : result.flips) {
+        const auto criterion = parse_criterion("area", followed.view());
+        const double change = criterion->change(done).first();
+        for (Index e = 0; e < followed.triangulation().edge_count(); ++e) {
+            if (!followed.triangulation().can_flip(Edge{e})) continue;
+            EXPECT_LE(change, criterion->change(Edge{e}).first() + 1e-9) << "edge " << e;
+        }
+        ASSERT_TRUE(followed.triangulation().flip(done));
+    }
+}
+
 TEST(Optimise, TracesTheEnergy) {
     const Surface start = with_random_points(kernel::families::random(40, 0, 3), 5);
     for (const FlipOrder order : {FlipOrder::first, FlipOrder::best}) {
