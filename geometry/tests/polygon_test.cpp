@@ -66,6 +66,14 @@ TEST(Polygon, EarsFillSimplePolygons) {
         {0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}, {0, 4, 0}, {0, 2, 0}});
 }
 
+TEST(Polygon, NoEarIsCutAlongACornerOnItsThirdSide) {
+    std::vector<Point> notched{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {-2, 4, 0}};
+    for (std::size_t first = 0; first < notched.size(); ++first) {
+        std::ranges::rotate(notched, notched.begin() + 1);
+        expect_triangulated(notched);
+    }
+}
+
 TEST(Polygon, EveryTurningIsKnown) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         auto polygon = star_polygon(11, seed);
