@@ -44,6 +44,7 @@ class Campaign:
         self._say = say
         self._stop = threading.Event()
         self._lock = threading.Lock()  # of state and _running
+        self._tidying = threading.Lock()  # of what is set aside: jobs may share a corpus
         self._running = []  # names of targets, one a job at work
         self._turns = 0
         self._slice = 0.0
@@ -144,8 +145,9 @@ class Campaign:
 
     def _drop_unusable(self, target):
         for directory in ("corpus", "seeds"):
-            unusable = corpus.set_aside_unusable(self.directory / directory / target,
-                                                 self.directory / "set-aside" / target)
+            with self._tidying:
+                unusable = corpus.set_aside_unusable(self.directory / directory / target,
+                                                     self.directory / "set-aside" / target)
             for name, why in unusable.items():
                 self._say(f"{target}: corpus file {name} set aside: {why}")
             self._note_unusable(target, unusable)
