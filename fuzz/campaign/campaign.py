@@ -176,13 +176,14 @@ class Campaign:
 
     def _set_aside_failing(self, turn, failing):
         content = failing.read_bytes()
-        for directory in (turn.corpus, turn.seeds):
-            for path in corpus.inputs(directory):
-                if path.stat().st_size == len(content) and path.read_bytes() == content:
-                    aside = self.directory / "set-aside" / turn.target
-                    aside.mkdir(parents=True, exist_ok=True)
-                    path.rename(corpus.free_name(aside, path.name))
-                    self._note_unusable(turn.target, {path.name: "it fails by itself"})
+        with self._tidying:
+            for directory in (turn.corpus, turn.seeds):
+                for path in corpus.inputs(directory):
+                    if path.stat().st_size == len(content) and path.read_bytes() == content:
+                        aside = self.directory / "set-aside" / turn.target
+                        aside.mkdir(parents=True, exist_ok=True)
+                        path.rename(corpus.free_name(aside, path.name))
+                        self._note_unusable(turn.target, {path.name: "it fails by itself"})
 
     def _take_over(self, turn):
         """Everything a turn leaves: inputs, findings and figures."""
