@@ -199,13 +199,13 @@ class ToolchainTest(InDirectory):
 
 
 class LineCoverageTest(unittest.TestCase):
-    TRACE = ("SF:/root/kernel/src/a.cpp\nDA:3,0\nDA:4,2\nDA:5,0\nDA:6,0\nend_of_record\n"
-             "SF:/root/kernel/include/a.hpp\nDA:1,1\nend_of_record\n"
-             "SF:/root/kernel/tests/a_test.cpp\nDA:1,0\nend_of_record\n"
+    TRACE = ("SF:/project/kernel/src/a.cpp\nDA:3,0\nDA:4,2\nDA:5,0\nDA:6,0\nend_of_record\n"
+             "SF:/project/kernel/include/a.hpp\nDA:1,1\nend_of_record\n"
+             "SF:/project/kernel/tests/a_test.cpp\nDA:1,0\nend_of_record\n"
              "SF:/usr/include/vector\nDA:1,0\nend_of_record\n")
 
     def test_lines_of_sources_and_headers_count(self):
-        coverage = line_coverage.LineCoverage(line_coverage.parse_lcov(self.TRACE, "/root"))
+        coverage = line_coverage.LineCoverage(line_coverage.parse_lcov(self.TRACE, "/project"))
         self.assertEqual(coverage.files("kernel"), ["kernel/include/a.hpp", "kernel/src/a.cpp"])
         self.assertEqual(coverage.total("kernel"), line_coverage.Count(5, 2))
         self.assertEqual(coverage.total("kernel").text(), "2 of 5, 40.00 %")
