@@ -10,7 +10,10 @@ from pathlib import Path
 
 from .build import CannotBuild, archive_members, members_linked
 
-ROOMS = ("kernel", "geometry", "properties", "fuzz")  # in the order in which they are asked
+# The rooms in the order in which they are asked, and their test programs.
+TESTS = {"kernel": ["kernel_tests"], "geometry": ["geometry_tests"],
+         "properties": ["properties_tests", "broken_kernel_tests"], "fuzz": ["fuzz_tests"]}
+ROOMS = tuple(TESTS)
 MEMORY = 2 << 30  # bytes a test program may reserve: what goes wrong often allocates
 FILE_SIZE = 1 << 30
 
@@ -92,18 +95,18 @@ def what_happened(text, code, hung):
 
 def suite(build):
     """The programs of the suite, by room."""
-    links = build.links()
+    links, units = build.links(), build.units()
     result = []
-    for room in ROOMS:
-        link = links.get(f"{room}_tests")
+    for room, name in ((room, name) for room, names in TESTS.items() for name in names):
+        link = links.get(name)
         if link is None:
-            raise CannotBuild(f"there is no program {room}_tests")
+            raise CannotBuild(f"there is no program {name}")
         tests = [path for path in link.objects if path.name.endswith("_test.cpp.o")]
         others = [path for path in link.objects if path not in tests]
         for path in tests:
-            name = path.name[:-len(".cpp.o")]
-            result.append(Program(f"{room}.{name}", room, Path(room) / "tests" / f"{name}.cpp",
-                                  link, [path, *others], ["--gtest_fail_fast"]))
+            source = units[path].source.relative_to(build.tree)
+            result.append(Program(f"{room}.{source.stem}", room, source, link, [path, *others],
+                                  ["--gtest_fail_fast"]))
     return result
 
 

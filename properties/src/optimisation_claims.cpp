@@ -1,5 +1,4 @@
 #include <tightflip/geometry/convex_data.hpp>
-#include <tightflip/geometry/convex_hull.hpp>
 #include <tightflip/geometry/criterion.hpp>
 #include <tightflip/geometry/self_intersections.hpp>
 #include <tightflip/geometry/surface_measures.hpp>
@@ -52,14 +51,6 @@ bool is_sphere_on_convex_data(const Surface& surface) {
 
 bool is_embedded_on_convex_data(const Surface& surface) {
     return is_sphere_on_convex_data(surface) && geometry::is_embedded(surface.view());
-}
-
-bool is_strictly_convex(Points points) {
-    const auto hull = geometry::convex_hull(points);
-    return hull && hull.value().coincident.empty() &&
-           std::ranges::all_of(hull.value().positions, [](geometry::HullPosition position) {
-               return position == geometry::HullPosition::extreme;
-           });
 }
 
 std::int64_t global_count(const SurfaceView& surface) {
@@ -154,8 +145,7 @@ Result tight_is_global_while_embedded(const Surface& surface) {
 }
 
 Result concave_flips_do_not_raise_tight(const Surface& surface) {
-    if (surface.triangulation().genus() != 0 || !is_strictly_convex(surface.points()) ||
-        !geometry::is_embedded(surface.view()) || measure(surface.view()).volume < 0) {
+    if (!is_embedded_on_convex_data(surface) || measure(surface.view()).volume < 0) {
         return std::nullopt;
     }
     const auto tight = make_criterion(CriterionKind::tight, surface.view());

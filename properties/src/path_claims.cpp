@@ -5,12 +5,9 @@
 #include <tightflip/properties/path_claims.hpp>
 
 namespace tightflip::properties {
-namespace {
 
-/// Whether `path` leads from the table of `from` to the labelled surface `to` in at most `most`
-/// flips, each looked at for itself.
-std::optional<Finding> leads_to(const kernel::FlipLog& path, const Triangulation& from,
-                                const Triangulation& to, std::int64_t most) {
+std::optional<Finding> path_leads_to(const kernel::FlipLog& path, const Triangulation& from,
+                                     const Triangulation& to, std::int64_t most) {
     if (auto finding = topology_is_preserved(path.start, path.flips, 0)) return finding;
     const kernel::Replay replayed = replay(path);
     const auto length = static_cast<std::int64_t>(path.flips.size());
@@ -23,15 +20,13 @@ std::optional<Finding> leads_to(const kernel::FlipLog& path, const Triangulation
         {.code = ViolationCode::path_does_not_connect, .found = length, .expected = most}};
 }
 
-}  // namespace
-
 std::optional<Finding> any_two_spheres_connect(const Triangulation& from, const Triangulation& to) {
     const std::int64_t most = kernel::connect_bound(from.vertex_count());
     const kernel::ConnectResult result = kernel::connect(from, to);
     if (!result) {
         return Finding{0, {.code = ViolationCode::path_does_not_connect, .expected = most}};
     }
-    return leads_to(result.value(), from, to, most);
+    return path_leads_to(result.value(), from, to, most);
 }
 
 std::optional<Finding> shortening_keeps_the_ends(const Triangulation& start,
@@ -39,8 +34,8 @@ std::optional<Finding> shortening_keeps_the_ends(const Triangulation& start,
     kernel::RecordedSurface recorded(start);
     for (const Edge e : script)
         static_cast<void>(recorded.flip(e));
-    return leads_to(kernel::shorten(recorded.log()), start, recorded.surface(),
-                    static_cast<std::int64_t>(recorded.log().flips.size()));
+    return path_leads_to(kernel::shorten(recorded.log()), start, recorded.surface(),
+                         static_cast<std::int64_t>(recorded.log().flips.size()));
 }
 
 }  // namespace tightflip::properties

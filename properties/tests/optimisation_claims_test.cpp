@@ -169,6 +169,22 @@ TEST(TightIsGlobal, SpeaksOfEmbeddedSpheresOnConvexDataOnly) {
     EXPECT_EQ(convexity(prism.view()), Convexity::none);
 }
 
+// Inside out every edge is concave, and flips raise Tight.
+TEST(ConcaveFlips, AreSpokenOfWhereFacesTurnOutwardsOnly) {
+    const Surface hull = geometry::data_sets::random_sphere(8, 1);
+    std::vector<Point> points;
+    for (const Point& point : hull.points())
+        points.emplace_back(-point);
+    const Surface inside_out(hull.triangulation(), points);
+    ASSERT_TRUE(is_embedded(inside_out.view()));
+    const auto tight = make_criterion(CriterionKind::tight, inside_out.view());
+    for (Index e = 0; e < hull.triangulation().edge_count(); ++e) {
+        ASSERT_EQ(edge_shape(inside_out.view(), Edge{e}), geometry::EdgeShape::concave);
+        EXPECT_GT(tight->change({e}).first(), 1e-3);
+    }
+    EXPECT_EQ(said(concave_flips_do_not_raise_tight(inside_out)), "");
+}
+
 // What refutes it, counted (docs/theory.md): all triangulations of five points have local
 // self-intersections at most, since two of their faces share a corner.
 TEST(TightSearch, FromFivePointsIsStuckAtTimes) {

@@ -8,6 +8,7 @@
 #include <tightflip/geometry/self_intersections.hpp>
 #include <tightflip/geometry/surface_file.hpp>
 #include <tightflip/geometry/surface_measures.hpp>
+#include <tightflip/kernel/build.hpp>
 #include <tightflip/kernel/file_io.hpp>
 #include <tightflip/kernel/flip_log.hpp>
 #include <tightflip/properties/negative_side.hpp>
@@ -15,6 +16,7 @@
 #include <tightflip/properties/plane_pieces.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -185,6 +187,39 @@ TEST(TightWhileEmbedded, IsStuckWhereNoFlipKeepsTheSurfaceEmbedded) {
     EXPECT_FALSE(tight_is_global(isolated));
     EXPECT_TRUE(tight_is_global_while_embedded(isolated));
     EXPECT_FALSE(tight_is_global_while_embedded(surface_in("embedded-convex-hull.txt")));
+}
+
+// Two more vertices within a face, which is in the hull's boundary, can be joined in several ways.
+// These flips keep the surface embedded, and Tight as it is: that is no way down.
+TEST(TightWhileEmbedded, IsStuckWhereFlipsLeaveItAsItIs) {
+    const Surface isolated = surface_in("embedded-convex-isolated.txt");
+    std::vector<std::array<Index, 3>> faces;
+    const Triangulation& triangulation = isolated.triangulation();
+    for (const kernel::Halfedge h : triangulation.faces()) {
+        faces.push_back(
+            {triangulation.origin(h).id, triangulation.target(h).id, triangulation.opposite(h).id});
+    }
+    std::vector<Point> points;
+    for (const Point& point : isolated.points())
+        points.emplace_back(64 * point);
+    const auto at = [&](Index v) { return points[static_cast<std::size_t>(v)]; };
+    const auto [a, b, c] = faces.front();
+    points.emplace_back((at(a) + at(b) + 2 * at(c)) / 4);
+    points.emplace_back((2 * at(a) + at(b) + at(8)) / 4);
+    faces.erase(faces.begin());
+    faces.insert(faces.end(), {{b, c, 8}, {c, a, 8}, {a, b, 9}, {b, 8, 9}, {8, a, 9}});
+    const Surface surface(build(kernel::glue_faces(faces, 10).gluing).value(), points);
+    ASSERT_TRUE(geometry::is_convex_data(points));
+    ASSERT_TRUE(is_embedded(surface.view()));
+
+    const auto criterion = make_criterion(CriterionKind::tight, surface.view());
+    double least = 1;
+    for (Index e = 0; e < surface.triangulation().edge_count(); ++e) {
+        if (!flip_keeps_embedded(surface.view(), {e})) continue;
+        least = std::min(least, criterion->change({e}).first());
+    }
+    EXPECT_NEAR(least, 0, 1e-12);
+    EXPECT_TRUE(tight_is_global_while_embedded(surface));
 }
 
 }  // namespace

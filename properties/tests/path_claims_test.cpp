@@ -149,6 +149,35 @@ TEST(Theorem43, IsFoundToFailWhereThereIsNoPath) {
     EXPECT_TRUE(any_two_spheres_connect(families::torus_grid(3, 3), families::torus_grid(3, 3)));
 }
 
+TEST(PathLeadsTo, AsksForTheStartTheEndTheLengthAndEveryFlip) {
+    const Triangulation from = families::book(6);
+    const Triangulation to = families::stacked(6, 1);
+    const kernel::FlipLog path = connect(from, to).value();
+    const auto length = static_cast<std::int64_t>(path.flips.size());
+    ASSERT_GT(length, 1);
+    EXPECT_EQ(words(path_leads_to(path, from, to, length)), "");
+
+    const auto too_long = path_leads_to(path, from, to, length - 1);
+    ASSERT_TRUE(too_long.has_value());
+    EXPECT_EQ(too_long->violation.code, ViolationCode::path_does_not_connect);
+    EXPECT_EQ(too_long->violation.found, length);
+    EXPECT_EQ(too_long->violation.expected, length - 1);
+    EXPECT_TRUE(path_leads_to(path, to, to, length)) << "it starts elsewhere";
+    EXPECT_TRUE(path_leads_to(path, from, families::stacked(6, 2), length)) << "it ends elsewhere";
+
+    kernel::FlipLog cut = path;
+    cut.flips.pop_back();
+    const auto stops_before = path_leads_to(cut, from, to, length);
+    ASSERT_TRUE(stops_before.has_value());
+    EXPECT_EQ(stops_before->step, cut.flips.size());
+
+    // The sphere of two faces refuses every flip, and ends where it should all the same.
+    const kernel::FlipLog refused{families::book(3), {Edge{0}}};
+    const auto not_done = path_leads_to(refused, refused.start, refused.start, 1);
+    ASSERT_TRUE(not_done.has_value());
+    EXPECT_EQ(not_done->step, 0U);
+}
+
 // ---- the generator ----
 
 TEST(AnySpherePair, CoversShapesLabelsMirrorsAndSizes) {

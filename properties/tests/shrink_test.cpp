@@ -112,6 +112,15 @@ TEST(Shrink, IsOneMinimalWhateverThePredicate) {
     }
 }
 
+// The second flip can go once the first is gone, and passes run from the end.
+TEST(Shrink, GoesOnForAsLongAsSomethingGoes) {
+    const auto fails = [](std::span<const Edge> s) {
+        const auto has = [&](Index id) { return std::ranges::find(s, Edge{id}) != s.end(); };
+        return has(3) && (!has(1) || has(2));
+    };
+    EXPECT_EQ(shrink(script_of({1, 2, 3}), fails), script_of({3}));
+}
+
 TEST(Shrink, CutsAFailureThatNeedsNoFlipToNone) {
     const auto always = [](std::span<const Edge>) { return true; };
     EXPECT_TRUE(shrink({}, always).empty());

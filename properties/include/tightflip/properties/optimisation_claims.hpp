@@ -53,8 +53,8 @@ enum class Convexity : std::uint8_t { none, convex, inside_out };
 [[nodiscard]] std::optional<OptimisationFinding> tight_is_global_while_embedded(
     const geometry::Surface& surface);
 
-/// No flip of a concave edge of an embedded sphere on strictly convex data raises Tight (proved in
-/// docs/theory.md). Outside general position too, but all points have to be corners of the hull.
+/// No flip of a concave edge of an embedded sphere on convex data, faces turned outwards, raises
+/// Tight (proved in docs/theory.md). Outside general position too.
 [[nodiscard]] std::optional<OptimisationFinding> concave_flips_do_not_raise_tight(
     const geometry::Surface& surface);
 
