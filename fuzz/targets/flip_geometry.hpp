@@ -8,7 +8,7 @@
 
 namespace tightflip::fuzz {
 
-inline constexpr std::size_t most_geometry_flips = 12;
+inline constexpr std::size_t most_geometry_flips = 8;
 inline constexpr std::uint32_t most_coordinate = 4;
 /// No kind has more vertices with `most_spare_vertices` to spare.
 inline constexpr std::size_t most_geometry_vertices = 32;

@@ -48,9 +48,10 @@ constexpr std::array allowed_flips{AllowedFlips::all, AllowedFlips::simple, Allo
 
 /// A run stops after so many flips at most, those taken back included.
 constexpr std::uint32_t flips_a_step = 2;
-constexpr std::uint32_t most_steps = 64;
+constexpr std::uint32_t number_of_steps = 64;
+constexpr std::int64_t most_flips_of_a_run = 64;
 
-constexpr Index most_optimised_vertices = 8;
+constexpr Index most_optimised_vertices = 6;
 
 /// Points for which every predicate takes long exact arithmetic, so that longer searches would take
 /// seconds.
@@ -161,7 +162,7 @@ struct SeedBytes {
     std::uint8_t criterion = 0;
     std::uint8_t strategy = 0;
     std::uint8_t flags = 0;
-    std::uint8_t steps = most_steps - 1;
+    std::uint8_t steps = number_of_steps - 1;
 };
 
 InputBytes bytes_of(const SeedBytes& seed) {
@@ -225,15 +226,18 @@ OptimiseCase decode_optimise(Input input) {
     run.options.allowed = allowed_flips.at(flags % allowed_flips.size());
     run.options.order = flags / allowed_flips.size() % 2 == 0 ? FlipOrder::first : FlipOrder::best;
     run.options.seed = flags / (2 * allowed_flips.size());
-    run.options.max_flips = std::int64_t{flips_a_step} * (bytes.byte() % most_steps);
-    const Index edges = run.surface.start().triangulation().edge_count();
+    run.options.max_flips = std::min(std::int64_t{flips_a_step} * (bytes.byte() % number_of_steps),
+                                     most_flips_of_a_run);
+    const Index edges = start_of(run.surface.flips).edge_count();
     while (!bytes.empty())
         run.locked.push_back({static_cast<Index>(bytes.pair()) % edges});
     return run;
 }
 
 std::string optimise_objection(const OptimiseCase& run) {
-    const Surface before = run.surface.start();
+    const kernel::Triangulation& start = start_of(run.surface.flips);
+    const Surface before(
+        start, run.surface.point_kind->make(start.vertex_count(), run.surface.point_seed));
     Surface after = before;
     geometry::OptimiseOptions options = run.options;
     options.locked = run.locked;

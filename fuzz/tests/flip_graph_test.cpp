@@ -1,6 +1,8 @@
 #include "targets/flip_graph.hpp"
 
+#include "bytes.hpp"
 #include "targets.hpp"
+#include <tightflip/kernel/random.hpp>
 
 #include <set>
 
@@ -20,6 +22,17 @@ TEST(FlipGraphInput, IsSizeEffortThreadsAndSeed) {
     EXPECT_EQ(graph.threads, 2U);
     EXPECT_EQ(graph.seed, 260U);
     EXPECT_EQ(decode_flip_graph({}).request.vertices, 3);
+}
+
+TEST(FlipGraph, HoldsForAnyBytesInAnyOrder) {
+    // What is kept of a size must not depend on which of its inputs came first.
+    kernel::RandomStream random(3);
+    for (int k = 0; k < 40; ++k) {
+        InputBytes bytes{format_version};
+        for (int i = 0; i < 5; ++i)
+            bytes.push_back(static_cast<std::uint8_t>(random.bits()));
+        ASSERT_EQ(flip_graph_objection(decode_flip_graph(bytes)), "") << k;
+    }
 }
 
 TEST(FlipGraphSeeds, AreOfEveryKindOfStateAndSeveralGenera) {

@@ -2,6 +2,7 @@
 
 #include "targets.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -30,7 +31,16 @@ TEST(OptimiseInput, IsSurfaceCriterionStrategyOptionsAndLockedEdges) {
 TEST(OptimiseInput, KeepsRunsShort) {
     const OptimiseCase run = decode_optimise(InputBytes(200, 255));
     EXPECT_LE(run.locked.size(), most_locked_edges);
-    EXPECT_LE(run.options.max_flips, 200);
+    EXPECT_EQ(run.options.max_flips, 64);
+    const auto kinds = properties::start_kinds();
+    for (std::uint8_t kind = 0; kind < kinds.size(); ++kind) {
+        for (std::uint8_t genus = 0; genus < 4; ++genus) {
+            const OptimiseCase largest = decode_optimise(InputBytes{1, kind, 8, genus, 1});
+            const kernel::Index most =
+                std::max(6, kinds[kind].least_vertices(kinds[kind].any_genus ? genus : 0));
+            EXPECT_LE(largest.surface.start().triangulation().vertex_count(), most);
+        }
+    }
 }
 
 TEST(OptimiseSeeds, AskForEveryCriterionStrategyAndKindOfPoints) {

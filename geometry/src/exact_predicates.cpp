@@ -1,5 +1,8 @@
+#include "whole_numbers.hpp"
 #include <tightflip/geometry/exact_predicates.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -47,6 +50,17 @@ Sign filtered_orientation(const Point& a, const Point& b, const Point& c, const 
     return determinant > 0 ? Sign::positive : Sign::negative;
 }
 
+/// Whether products of some differences may leave the range of doubles, so that no filter can tell
+/// their signs.
+bool leave_range(std::span<const Point* const> points) {
+    return std::ranges::any_of(points, [](const Point* p) {
+        return std::any_of(p->begin(), p->end(), [](double coordinate) {
+            const double size = std::abs(coordinate);
+            return size != 0 && !(size > 0x1p-300 && size < 0x1p300);
+        });
+    });
+}
+
 }  // namespace
 
 Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -54,6 +68,8 @@ Sign orientation(const Point& a, const Point& b, const Point& c, const Point& d)
     if (quick != Sign::zero) return quick;
     // Usual, and what takes the kernel longest to see.
     if (a == b || a == c || a == d || b == c || b == d || c == d) return Sign::zero;
+    const std::array points{&a, &b, &c, &d};
+    if (leave_range(points)) return orientation_by_whole_numbers(a, b, c, d);
     return sign(CGAL::orientation(in_space(a), in_space(b), in_space(c), in_space(d)));
 }
 

@@ -1,31 +1,13 @@
 #include "perturbed_points.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "whole_numbers.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <algorithm>
 
 namespace tightflip::geometry {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
 using Row = std::array<Integer, 4>;
-
-/// The exponent of the last bit of a double that may be set; of zero, the largest int.
-int last_bit(double value) {
-    return value == 0 ? std::numeric_limits<int>::max()
-                      : std::ilogb(value) - (std::numeric_limits<double>::digits - 1);
-}
-
-/// value / 2^exponent, which is whole.
-Integer in_units(double value, int exponent) {
-    if (value == 0) return 0;
-    const int last = last_bit(value);
-    Integer digits = static_cast<std::int64_t>(std::ldexp(value, -last));
-    digits <<= last - exponent;
-    return digits;
-}
 
 Integer determinant(const std::array<Row, 4>& m) {
     const auto minor = [&](std::size_t i, std::size_t j) -> Integer {  // of the first two columns
@@ -48,13 +30,7 @@ Sign PerturbedPoints::coefficient(const std::array<Vertex, 4>& corners, const Po
     std::array<const Point*, 4> inside{};
     std::ranges::transform(inside_, inside.begin(), [&](Index label) { return &point({label}); });
 
-    int unit = std::numeric_limits<int>::max();
-    for (const auto& points : {used, inside}) {
-        for (const Point* p : points) {
-            for (const double coordinate : *p)
-                unit = std::min(unit, last_bit(coordinate));
-        }
-    }
+    const int unit = std::min(common_unit(used), common_unit(inside));
     std::array<Integer, 3> sum;
     for (const Point* p : inside) {
         for (int axis = 0; axis < 3; ++axis)

@@ -1,38 +1,30 @@
+#include "whole_numbers.hpp"
 #include <tightflip/geometry/edge_shape.hpp>
 #include <tightflip/geometry/exact_predicates.hpp>
 #include <tightflip/geometry/quadrilateral.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
-
-#include <boost/multiprecision/cpp_int.hpp>
 
 namespace tightflip::geometry {
 namespace {
 
-using Exact = boost::multiprecision::cpp_rational;
-using ExactVector = Eigen::Matrix<Exact, 3, 1>;
-
-ExactVector exact_difference(const Point& from, const Point& to) {
-    return {Exact(to.x()) - Exact(from.x()), Exact(to.y()) - Exact(from.y()),
-            Exact(to.z()) - Exact(from.z())};
-}
-
-Exact dot(const ExactVector& u, const ExactVector& v) {
-    return u.x() * v.x() + u.y() * v.y() + u.z() * v.z();
+Integer dot(const IntegerVector& u, const IntegerVector& v) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
 /// x |x|, which is ordered as x is.
-Exact signed_square(const Exact& x) {
+Integer signed_square(const Integer& x) {
     return x * abs(x);
 }
 
 Sign exact_sign_of_cosines(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const ExactVector u = exact_difference(a, b);
-    const ExactVector p = exact_difference(a, c);
-    const ExactVector q = exact_difference(a, d);
-    const Exact sum = signed_square(dot(u, p)) * dot(q, q) + signed_square(dot(u, q)) * dot(p, p);
+    const int unit = common_unit(std::array{&a, &b, &c, &d});
+    const IntegerVector u = difference_in_units(a, b, unit);
+    const IntegerVector p = difference_in_units(a, c, unit);
+    const IntegerVector q = difference_in_units(a, d, unit);
+    const Integer sum = signed_square(dot(u, p)) * dot(q, q) + signed_square(dot(u, q)) * dot(p, p);
     return static_cast<Sign>(sum.sign());
 }
 

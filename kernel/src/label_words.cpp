@@ -46,12 +46,13 @@ std::size_t factorial_of(std::size_t n) {
 }  // namespace
 
 BitPermutation::BitPermutation(std::span<const std::uint8_t> source) noexcept {
+    std::array<LabelWord, 24> image{};  // of each single bit
+    for (std::size_t b = 0; b < source.size(); ++b)
+        image[source[b]] |= LabelWord{1} << b;
     for (std::size_t part = 0; part < part_.size(); ++part) {
-        for (std::size_t value = 0; value < 256; ++value) {
-            const auto word = static_cast<LabelWord>(value << (8 * part));
-            for (std::size_t b = 0; b < source.size(); ++b) {
-                part_[part][value] |= (word >> source[b] & 1U) << b;
-            }
+        for (std::size_t value = 1; value < 256; ++value) {
+            const auto lowest = static_cast<std::size_t>(std::countr_zero(value));
+            part_[part][value] = part_[part][value & (value - 1)] | image[8 * part + lowest];
         }
     }
 }

@@ -133,8 +133,27 @@ Result vertex_claims_hold(const SurfaceView& surface, Halfedge h, const VertexCu
 struct Before {
     EdgeShape shape;
     double volume;
-    std::vector<Energy> values;
     std::vector<Energy> changes;
+};
+
+/// What a criterion was worth when that was last computed from the surface, and what it announced
+/// since.
+struct Account {
+    Energy value;
+    Energy announced;
+    Energy largest;  ///< of all values and changes since, level by level, without signs
+
+    explicit Account(const Energy& now) : value(now) { note(now); }
+    void add(const Energy& change) {
+        announced += change;
+        note(change);
+        note(expected());
+    }
+    [[nodiscard]] Energy expected() const { return value + announced; }
+    void note(const Energy& energy) {
+        for (std::size_t i = 0; i < Energy::max_levels; ++i)
+            largest.levels[i] = std::max(largest.levels[i], std::abs(energy.levels[i]));
+    }
 };
 
 class ScriptCheck {
@@ -145,20 +164,48 @@ public:
             if (info.needs_heights) continue;
             infos_.push_back(&info);
             criteria_.push_back(make_criterion(info.kind, surface_.view()));
+            accounts_.emplace_back(criteria_.back()->value());
         }
     }
 
     [[nodiscard]] const Surface& surface() const { return surface_; }
 
+    /// What can be said of the edge, of its flip and of the vertices whose stars that changes.
     [[nodiscard]] Result flip(Edge e) {
         if (auto finding = edge_claims_hold(e)) return finding;
         if (!surface_.triangulation().can_flip(e)) return std::nullopt;
         const Before before = look(e);
         static_cast<void>(surface_.triangulation().flip(e));
-        for (const auto& criterion : criteria_)
-            criterion->flipped(e);
-        if (auto finding = changes_hold(e, before)) return finding;
-        return shapes_hold(e, before);
+        ++flips_;
+        last_ = e;
+        for (std::size_t k = 0; k < criteria_.size(); ++k) {
+            criteria_[k]->flipped(e);
+            accounts_[k].add(before.changes[k]);
+        }
+        if (auto finding = shapes_hold(e, before)) return finding;
+        return corners_hold(e);
+    }
+
+    /// Whether the criteria's values changed as they announced for the flips since last time.
+    [[nodiscard]] Result accounts_hold() {
+        if (flips_ == 0) return std::nullopt;
+        std::vector<Energy> now;
+        double thinness = 0;
+        for (std::size_t k = 0; k < criteria_.size(); ++k) {
+            now.push_back(criteria_[k]->value());
+            accounts_[k].note(now[k]);
+            if (sizing_of(infos_[k]->kind).is_thinness) {
+                thinness = std::max(thinness, accounts_[k].largest.levels[1]);
+            }
+        }
+        for (std::size_t k = 0; k < criteria_.size(); ++k) {
+            if (auto finding = account_holds(*infos_[k], accounts_[k], now[k], thinness)) {
+                return finding;
+            }
+            accounts_[k] = Account(now[k]);
+        }
+        flips_ = 0;
+        return std::nullopt;
     }
 
 private:
@@ -176,35 +223,23 @@ private:
 
     [[nodiscard]] Before look(Edge e) const {
         const Hinge h = Hinge::at(surface_.view(), e);
-        Before before{edge_shape(h), (h.b - h.a).cross(h.c - h.a).dot(h.d - h.a) / 6, {}, {}};
-        for (const auto& criterion : criteria_) {
-            before.values.push_back(criterion->value());
+        Before before{edge_shape(h), (h.b - h.a).cross(h.c - h.a).dot(h.d - h.a) / 6, {}};
+        for (const auto& criterion : criteria_)
             before.changes.push_back(criterion->change(e));
-        }
         return before;
     }
 
-    [[nodiscard]] Result changes_hold(Edge e, const Before& before) const {
-        std::vector<Energy> after;
-        for (const auto& criterion : criteria_)
-            after.push_back(criterion->value());
-        double thinness = 0;
-        for (std::size_t k = 0; k < criteria_.size(); ++k) {
-            if (!sizing_of(infos_[k]->kind).is_thinness) continue;
-            for (const Energy& energy : {before.values[k], before.changes[k], after[k]})
-                thinness = std::max(thinness, std::abs(energy.levels[1]));
-        }
-        for (std::size_t k = 0; k < criteria_.size(); ++k) {
-            for (std::size_t i = 0; i < Energy::max_levels; ++i) {
-                const double change = before.changes[k].levels[i];
-                const double now = after[k].levels[i];
-                const double then = before.values[k].levels[i];
-                const auto size =
-                    size_of(infos_[k]->kind, std::max(std::abs(now), std::abs(then)), thinness);
-                if (!size || agree(change, now - then, *size)) continue;
-                return found(GeometryClaim::local_change, infos_[k]->name, ", edge ", e.id,
-                             ", level ", i, ": announced ", change, ", is ", now - then);
-            }
+    /// The changes of several flips are wrong by several roundings of the largest.
+    [[nodiscard]] Result account_holds(const CriterionInfo& info, const Account& account,
+                                       const Energy& now, double thinness) const {
+        for (std::size_t i = 0; i < Energy::max_levels; ++i) {
+            const double change = account.announced.levels[i];
+            const double difference = now.levels[i] - account.value.levels[i];
+            const auto size = size_of(info.kind, account.largest.levels[i], thinness);
+            if (!size || agree(change, difference, flips_ * *size)) continue;
+            return found(GeometryClaim::local_change, info.name, ", the last ", flips_,
+                         " flips, of edge ", last_.id, " at the end, level ", i, ": announced ",
+                         change, ", is ", difference);
         }
         return std::nullopt;
     }
@@ -241,7 +276,7 @@ private:
         for (std::size_t k = 0; k < criteria_.size(); ++k) {
             if (infos_[k]->kind != CriterionKind::volume) continue;
             const double change = before.changes[k].first();
-            const auto size = size_of(CriterionKind::volume, std::abs(before.values[k].first()), 0);
+            const auto size = size_of(CriterionKind::volume, accounts_[k].largest.first(), 0);
             if (size && !agree(change, -before.volume, *size)) {
                 return found(GeometryClaim::change_of_volume, "edge ", e.id, ": ", -change,
                              ", the tetrahedron has ", before.volume);
@@ -255,31 +290,29 @@ private:
         return std::nullopt;
     }
 
+    /// Of the four vertices whose stars a flip changed.
+    [[nodiscard]] Result corners_hold(Edge e) {
+        const SurfaceView surface = surface_.view();
+        const auto q = kernel::Quadrilateral::around(surface.table, e);
+        for (const Halfedge h : {q.h, q.t, q.h2, q.t2}) {
+            if (auto finding = vertex_claims_hold(surface, h, meter_.measure(surface, h))) {
+                return finding;
+            }
+        }
+        return std::nullopt;
+    }
+
     Surface surface_;
     Extent extent_;
+    geometry::StarMeter meter_;
     std::vector<const CriterionInfo*> infos_;
     std::vector<std::unique_ptr<Criterion>> criteria_;
+    std::vector<Account> accounts_;
+    int flips_ = 0;  ///< since accounts were settled
+    Edge last_;
 };
 
-}  // namespace
-
-std::string_view name(GeometryClaim claim) {
-    constexpr std::array names{
-        "gauss_bonnet",     "curvature_signs",         "curvature_sum",
-        "vertex_types",     "cones_and_angles",        "least_total_curvature",
-        "local_change",     "sign_of_change",          "exchange_of_shapes",
-        "change_of_volume", "quadrilaterals_and_edges"};
-    return names.at(static_cast<std::size_t>(claim) -
-                    static_cast<std::size_t>(GeometryClaim::gauss_bonnet));
-}
-
-std::string describe(const GeometryFinding& finding) {
-    return "after " + std::to_string(finding.step) +
-           " flips: " + std::to_string(static_cast<int>(finding.claim)) + " " +
-           std::string(name(finding.claim)) + ": " + finding.detail;
-}
-
-std::optional<GeometryFinding> curvature_claims_hold(const SurfaceView& surface) {
+Result vertices_hold(const SurfaceView& surface) {
     geometry::StarMeter meter;
     std::vector<char> seen(surface.points.size(), 0);
     for (Index id = 0; id < static_cast<Index>(surface.table.size()); ++id) {
@@ -290,6 +323,10 @@ std::optional<GeometryFinding> curvature_claims_hold(const SurfaceView& surface)
             return finding;
         }
     }
+    return std::nullopt;
+}
+
+Result sums_hold(const SurfaceView& surface) {
     const SurfaceMeasures sums = measure(surface);
     const double total = 2 * pi * sums.euler_characteristic;
     if (!angles_agree(sums.total_curvature, total, sums.total_absolute_curvature)) {
@@ -312,17 +349,67 @@ std::optional<GeometryFinding> curvature_claims_hold(const SurfaceView& surface)
     return std::nullopt;
 }
 
-std::optional<GeometryFinding> geometry_claims_hold(Surface surface, std::span<const Edge> script) {
-    if (auto finding = curvature_claims_hold(surface.view())) return finding;
+/// Where the whole surface is looked at, and criteria are computed from it.
+enum class WholeSurface { after_each_flip, at_the_ends };
+
+/// At the ends, vertices are looked at before the first flip (each flip looks at those that it
+/// changes), sums after the last.
+Result script_holds(Surface surface, std::span<const Edge> script, WholeSurface when) {
+    const bool is_each = when == WholeSurface::after_each_flip;
+    if (auto finding = vertices_hold(surface.view())) return finding;
+    if (is_each || script.empty()) {
+        if (auto finding = sums_hold(surface.view())) return finding;
+    }
     ScriptCheck check(std::move(surface));
+    const auto finding_at = [&](std::size_t step) -> Result {
+        const bool is_whole = is_each || step + 1 == script.size();
+        if (is_whole) {  // so that this flip answers for itself
+            if (auto finding = check.accounts_hold()) return finding;
+        }
+        if (auto finding = check.flip(script[step])) return finding;
+        if (!is_whole) return std::nullopt;
+        if (auto finding = check.accounts_hold()) return finding;
+        return sums_hold(check.surface().view());
+    };
     for (std::size_t step = 0; step < script.size(); ++step) {
-        Result finding = check.flip(script[step]);
-        if (!finding) finding = curvature_claims_hold(check.surface().view());
+        Result finding = finding_at(step);
         if (!finding) continue;
         finding->step = step + 1;
         return finding;
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name(GeometryClaim claim) {
+    constexpr std::array names{
+        "gauss_bonnet",     "curvature_signs",         "curvature_sum",
+        "vertex_types",     "cones_and_angles",        "least_total_curvature",
+        "local_change",     "sign_of_change",          "exchange_of_shapes",
+        "change_of_volume", "quadrilaterals_and_edges"};
+    return names.at(static_cast<std::size_t>(claim) -
+                    static_cast<std::size_t>(GeometryClaim::gauss_bonnet));
+}
+
+std::string describe(const GeometryFinding& finding) {
+    return "after " + std::to_string(finding.step) +
+           " flips: " + std::to_string(static_cast<int>(finding.claim)) + " " +
+           std::string(name(finding.claim)) + ": " + finding.detail;
+}
+
+std::optional<GeometryFinding> curvature_claims_hold(const SurfaceView& surface) {
+    Result finding = vertices_hold(surface);
+    return finding ? finding : sums_hold(surface);
+}
+
+std::optional<GeometryFinding> geometry_claims_hold(Surface surface, std::span<const Edge> script) {
+    return script_holds(std::move(surface), script, WholeSurface::after_each_flip);
+}
+
+std::optional<GeometryFinding> geometry_claims_hold_at_ends(Surface surface,
+                                                            std::span<const Edge> script) {
+    return script_holds(std::move(surface), script, WholeSurface::at_the_ends);
 }
 
 }  // namespace tightflip::properties

@@ -23,6 +23,10 @@ RC_GTEST_PROP(GeometryClaims, HoldOnPointsOfEveryKind, (const SurfaceCase& surfa
     require_claim("geometry_claims", surface_case, geometry_claims_hold);
 }
 
+RC_GTEST_PROP(GeometryClaims, HoldAtTheEndsOnPointsOfEveryKind, (const SurfaceCase& surface_case)) {
+    require_claim("geometry_claims_at_ends", surface_case, geometry_claims_hold_at_ends);
+}
+
 TEST(GeometryClaims, HoldOnEveryFlipOfSmallSurfaces) {
     // Everything coplanar, collinear, or at one point too.
     for (const Triangulation& start :
@@ -38,6 +42,8 @@ TEST(GeometryClaims, HoldOnEveryFlipOfSmallSurfaces) {
             for (Index e = 0; e < start.edge_count(); ++e) {
                 const std::vector<Edge> script(4, Edge{e});
                 EXPECT_HOLDS(geometry_claims_hold, geometry::Surface(start, points), script);
+                EXPECT_HOLDS(geometry_claims_hold_at_ends, geometry::Surface(start, points),
+                             script);
             }
         }
     }

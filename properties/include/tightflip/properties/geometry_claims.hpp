@@ -55,4 +55,10 @@ struct GeometryFinding {
 [[nodiscard]] std::optional<GeometryFinding> geometry_claims_hold(
     geometry::Surface surface, std::span<const kernel::Edge> script);
 
+/// The same, several times as fast on long scripts: of every flip what is local (the edge, the
+/// volume, the four stars), but the whole surface's curvatures, and values of criteria, at the ends
+/// alone. The changes announced are held to these values: in sum, the last flip's by itself.
+[[nodiscard]] std::optional<GeometryFinding> geometry_claims_hold_at_ends(
+    geometry::Surface surface, std::span<const kernel::Edge> script);
+
 }  // namespace tightflip::properties
