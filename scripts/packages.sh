@@ -19,13 +19,18 @@ install_missing() {
             missing+=("$package")
     done
     [ ${#missing[@]} -eq 0 ] && return 0
+    command -v apt-get >/dev/null || {
+        echo "these packages are missing, by their names in Debian, and there is no apt-get:" \
+             "${missing[*]}" >&2
+        return 2
+    }
     echo "installing: ${missing[*]}" >&2
     local as_root=()
     if [ "$(id -u)" -ne 0 ]; then
         command -v sudo >/dev/null || {
             echo "these Debian packages are missing, and neither root nor sudo is at hand:" \
                  "apt-get install ${missing[*]}" >&2
-            return 1
+            return 2
         }
         as_root=(sudo)
     fi

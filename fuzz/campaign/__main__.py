@@ -1,6 +1,7 @@
 """scripts/fuzz-campaign: the arguments, the start and the end of a campaign."""
 
 import argparse
+import math
 import os
 import signal
 import sys
@@ -47,8 +48,10 @@ def _arguments(words):
     given = parser.parse_args(words)
     for name in ("hours", "minutes", "jobs", "timeout", "memory"):
         value = getattr(given, name)
-        if value is not None and value <= 0:
+        if value is not None and not (value > 0 and math.isfinite(value)):
             parser.error(f"--{name} must be positive")
+    if given.targets.strip(",") != given.targets or ",," in given.targets:
+        parser.error("--targets takes names with one comma between two of them")
     return given
 
 
@@ -108,10 +111,13 @@ def main(words):
         if not given.report:
             _end_by_signals(campaign)
             campaign.run()
-        print(report.write(campaign, _coverage(given, campaign)))
     except (UsageError, OSError) as error:
         print(error, file=sys.stderr)
         return UNUSABLE
+    try:
+        print(report.write(campaign, _coverage(given, campaign)))
+    except OSError as error:
+        campaign.end(str(error))
     if campaign.ended_by:
         print(f"ended before its time: {campaign.ended_by}", file=sys.stderr)
     if any(campaign.findings.of(target) for target in settings.targets):

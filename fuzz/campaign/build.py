@@ -16,10 +16,10 @@ DICTIONARIES = ROOT / "fuzz" / "dictionaries"
 def fuzzers(engine, wanted, build_jobs):
     """(programs, compiler, targets). With AFL++ the same sources are built as any fuzzing engine
     has them built: by CXX, CXXFLAGS and LIB_FUZZING_ENGINE."""
-    targets = choose(_listed_targets(), wanted)
+    targets = choose(listed_targets(), wanted)
     install("packages_build", "packages_kernels")
     compiler, options, environment = _choose(engine)
-    directory = ROOT / "build" / ("fuzz" if engine.NAME == "libfuzzer" else f"fuzz-{engine.NAME}")
+    directory = directory_of(engine)
     configure("fuzz", directory, compiler, options, environment)
     make(directory, [TOOL, *(f"{target}_fuzzer" for target in targets)], build_jobs)
     programs = find_programs(directory)
@@ -27,7 +27,11 @@ def fuzzers(engine, wanted, build_jobs):
     return programs, compiler, targets
 
 
-def _listed_targets():
+def directory_of(engine):
+    return ROOT / "build" / ("fuzz" if engine.NAME == "libfuzzer" else f"fuzz-{engine.NAME}")
+
+
+def listed_targets():
     """The list of the build, so that a wrong name is known before anything is built."""
     text = (ROOT / "fuzz" / "CMakeLists.txt").read_text(encoding="utf-8")
     return re.search(r"^set\(targets\s([^)]*)\)", text, re.MULTILINE).group(1).split()
@@ -83,12 +87,14 @@ def _compiler_of(directory):
     return found and shutil.which(found.group(1))
 
 
-def make(directory, names, build_jobs):
-    run(["cmake", "--build", str(directory), "--parallel", str(build_jobs), "--target", *names])
+def make(directory, names, build_jobs, environment=None):
+    run(["cmake", "--build", str(directory), "--parallel", str(build_jobs), "--target", *names],
+        environment)
 
 
-def find_programs(directory):
-    return Programs(next(iter(directory.glob(f"**/{TOOL}")), directory / TOOL).parent, DICTIONARIES)
+def find_programs(directory, environment=None):
+    tool = next(iter(directory.glob(f"**/{TOOL}")), directory / TOOL)
+    return Programs(tool.parent, DICTIONARIES, environment)
 
 
 def run(command, environment=None):

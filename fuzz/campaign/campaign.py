@@ -8,16 +8,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 
-from campaign import corpus, schedule
+from campaign import corpus
 from campaign import state as states
 from campaign.engines import ENGINES
 from campaign.findings import Findings
 from campaign.programs import Programs
-from campaign.turn import LEAST_SECONDS, Limits, Turn
+from campaign.schedule import LEAST_SECONDS, USEFUL_SECONDS, Schedule
+from campaign.turn import Limits, Turn
 
 SAVE_SECONDS = 10.0
 _MERGE_FROM = 200  # inputs; below, there is nothing to gain
 _MERGE_GROWTH = 2  # times the inputs after the last merge
+_MERGE_SHARE = 0.25  # of the target's time so far, at most
 
 
 @dataclass
@@ -43,11 +45,10 @@ class Campaign:
         self.ended_by = ""  # why it ended before its time; empty: it did not
         self._say = say
         self._stop = threading.Event()
-        self._lock = threading.Lock()  # of state and _running
+        self._lock = threading.Lock()  # of state and _schedule
         self._tidying = threading.Lock()  # of what is set aside: jobs may share a corpus
-        self._running = []  # names of targets, one a job at work
+        self._schedule = None
         self._turns = 0
-        self._slice = 0.0
         for text in [*([complaint] if complaint else []), *self.findings.unreadable]:
             say(text)
 
@@ -67,16 +68,17 @@ class Campaign:
         self.findings.minimise_rest(self._stop)
         remaining = settings.seconds - self.state.seconds
         if remaining >= LEAST_SECONDS:
-            self._slice = schedule.slice_seconds(remaining, settings.jobs, len(settings.targets))
             self._share(remaining)
         else:
             self._say(f"it has had its {hours(settings.seconds)}; with more time it continues")
-        self._save()
+        self._guarded(self._save)
 
     def _share(self, remaining):
         """Jobs beside each other; this thread keeps the time, the state and an eye on the disk."""
         begun, before = time.monotonic(), self.state.seconds
         until = begun + remaining
+        self._schedule = Schedule(self.settings.targets, self.settings.jobs, begun, until)
+        self._warn_of_short_shares()
         jobs = [threading.Thread(target=self._job, args=(until,))
                 for _ in range(self.settings.jobs)]
         for job in jobs:
@@ -91,9 +93,17 @@ class Campaign:
                 self._watch_disk()
                 self._guarded(self._save)
 
+    def _warn_of_short_shares(self):
+        each, targets = self._schedule.each, self.settings.targets
+        if each < USEFUL_SECONDS:
+            enough = USEFUL_SECONDS * len(targets) / self.settings.jobs / 60
+            self._say(f"each of {len(targets)} targets gets {each:.1f} s, which may not be enough "
+                      f"to start and to read the seeds; {enough:.1f} minutes give it "
+                      f"{USEFUL_SECONDS:.0f} s")
+
     def _job(self, until):
         while not self._stop.is_set() and until - time.monotonic() >= LEAST_SECONDS:
-            self._guarded(lambda: self._turn(until))
+            self._guarded(self._turn)
 
     def _guarded(self, action):
         """A full disk, or anything unforeseen, ends the campaign with its report, not without."""
@@ -102,31 +112,31 @@ class Campaign:
         except Exception as error:  # pylint: disable=broad-except
             self.end(f"{type(error).__name__}: {error}")
 
-    def _turn(self, until):
+    def _turn(self):
         self._watch_disk()
         if self._stop.is_set():
             return
         with self._lock:
             seconds = {name: self.state.target(name).seconds for name in self.settings.targets}
-            target = schedule.next_target(self.settings.targets, seconds, self._running)
-            self._running.append(target)
+            slot = self._schedule.begin(seconds, time.monotonic())
+            target = slot.target
             self._turns += 1
             turn = self._new_turn(self.settings.engine, target,
                                   f"{self.settings.engine.NAME}.{target}."
                                   f"{self.state.starts}-{self._turns}")
         try:
             self._drop_unusable(target)
-            complaint = turn.run(min(self._slice, until - time.monotonic()), self._stop,
+            complaint = turn.run(slot.until, self._stop,
                                  lambda passed: self._add_seconds(target, passed),
                                  self._take_findings)
             if complaint:
                 self.end(f"{target}: {complaint}")
             self._take_over(turn)
-            self._merge(turn)
+            self._merge(turn, slot)
             turn.remove()
         finally:
             with self._lock:
-                self._running.remove(target)
+                self._schedule.end(slot, time.monotonic())
 
     def _new_turn(self, engine, target, name):
         return Turn(target, engine, self.settings.programs, self.directory / "work" / name,
@@ -134,14 +144,12 @@ class Campaign:
                     self.settings.limits)
 
     def _open(self, target):
-        """Directories and seeds; the seeds are written anew, as this version has them."""
+        """Directories and seeds."""
         self.state.target(target)
         directory = self.directory / "corpus" / target
         corpus.recover(directory)
         directory.mkdir(parents=True, exist_ok=True)
-        seeds = self.directory / "seeds" / target
-        shutil.rmtree(seeds, ignore_errors=True)
-        self.settings.programs.write_seeds(target, seeds)
+        self.settings.programs.write_seeds(target, self.directory / "seeds" / target)
 
     def _drop_unusable(self, target):
         for directory in ("corpus", "seeds"):
@@ -207,19 +215,23 @@ class Campaign:
                 self._take_over(turn)
                 turn.remove()
 
-    def _merge(self, turn):
+    def _merge(self, turn, slot):
+        """What takes too long is tried again when the corpus has doubled."""
         size = len(corpus.inputs(turn.corpus))
         with self._lock:
             target = self.state.target(turn.target)
-            alone = self._running.count(turn.target) == 1
+            alone = self._schedule.is_alone(slot)
             due = size >= max(_MERGE_FROM, _MERGE_GROWTH * target.merged_inputs)
         if not due or not alone or self._stop.is_set():
             return
-        merged = turn.merge(self._stop)
+        merged = turn.merge(_MERGE_SHARE * target.seconds, self._stop)
         if merged is not None:
             corpus.replace(turn.corpus, merged)
+        elif self._stop.is_set():
+            return
         target.merged_inputs = len(corpus.inputs(turn.corpus))
-        self._say(f"{turn.target}: corpus merged, {size} -> {target.merged_inputs} inputs")
+        self._say(f"{turn.target}: corpus " + (f"of {size} inputs not merged" if merged is None else
+                                               f"merged, {size} -> {target.merged_inputs} inputs"))
 
     def _line(self, name, done):
         """One line a turn: where the campaign is, and how the target does."""

@@ -64,7 +64,7 @@ def main(words):
         built = CoverageBuild(build.find_clang(), names, given.jobs)
         reached = {}
         if "inputs" in runs:
-            targets = build.find_programs(built.directory).targets()
+            targets = built.programs().targets()
             coverage = built.by_inputs(coverage_runs.inputs_of(targets, given.corpus), _complain)
             _print("Line coverage by the fuzz inputs", coverage, coverage[ALL], layers)
             reached["inputs"] = (coverage[ALL].total("kernel"), given.inputs_at_least)

@@ -3,11 +3,9 @@
 import os
 import shutil
 import subprocess
-from pathlib import Path
 
 from campaign import build, line_coverage
 
-DIRECTORY = build.ROOT / "build" / "coverage"
 ALL = "all targets"
 _MOST_PROFILES = 8  # files that the processes of a run share, each adding its counts
 
@@ -15,16 +13,21 @@ _MOST_PROFILES = 8  # files that the processes of a run share, each adding its c
 class CoverageBuild:
     """The libraries, the tool and the tests, built so that they count what is executed."""
 
-    def __init__(self, compiler, names, build_jobs, directory=DIRECTORY):
-        self.compiler, self.directory = compiler, Path(directory)
+    def __init__(self, compiler, names, build_jobs):
+        self.compiler, self.directory = compiler, build.ROOT / "build" / "coverage"
+        # Whatever runs counts, and leaves default.profraw where it runs unless told otherwise.
+        self._uncounted = _profiles_to(self.directory / "profiles" / "uncounted")
         build.install("packages_test")
-        build.configure("coverage", self.directory, compiler)
-        build.make(self.directory, names, build_jobs)
+        build.configure("coverage", self.directory, compiler, environment=self._uncounted)
+        build.make(self.directory, names, build_jobs, self._uncounted)
+
+    def programs(self):
+        return build.find_programs(self.directory, self._uncounted)
 
     def by_inputs(self, directories, say=print):
         """Coverage by the seeds and the inputs in the directories of each target; all together
         first. directories: target -> list."""
-        programs = build.find_programs(self.directory)
+        programs = self.programs()
         profiles = self._fresh_profiles("inputs")
         coverage = {ALL: None}
         for target, paths in directories.items():
@@ -50,10 +53,9 @@ class CoverageBuild:
         return profiles
 
     def _run(self, command, profiles, say):
-        pattern = f"{profiles}/%{_MOST_PROFILES}m.profraw"
         done = subprocess.run(list(map(str, command)), stdin=subprocess.DEVNULL, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              errors="replace", env=os.environ | {"LLVM_PROFILE_FILE": pattern})
+                              errors="replace", env=os.environ | _profiles_to(profiles))
         if done.returncode != 0:
             say(f"{' '.join(map(str, command[:3]))} ended with {done.returncode}:\n"
                 + "\n".join(done.stdout.splitlines()[-20:]))
@@ -70,6 +72,10 @@ class CoverageBuild:
         build.run([self.compiler, "-shared", "-fprofile-instr-generate", "-Wl,--whole-archive",
                    *libraries, "-Wl,--no-whole-archive", "-o", result])
         return result
+
+
+def _profiles_to(directory):
+    return {"LLVM_PROFILE_FILE": f"{directory}/%{_MOST_PROFILES}m.profraw"}
 
 
 def inputs_of(targets, directories):

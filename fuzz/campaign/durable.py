@@ -6,13 +6,18 @@ import os
 
 
 def write_text(path, text):
-    """Writes beside the file, then renames: a reader sees the old text or the new one."""
+    """Writes beside the file, then renames: a reader sees the old text or the new one. OSError
+    names the file."""
     part = path.with_name(path.name + ".part")
-    with open(part, "w", encoding="utf-8") as file:
-        file.write(text)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(part, path)
+    try:
+        with open(part, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(part, path)
+    except OSError as error:
+        part.unlink(missing_ok=True)
+        raise OSError(error.errno, error.strerror, str(path)) from error
 
 
 def write_json(path, value):

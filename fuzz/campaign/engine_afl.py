@@ -12,10 +12,11 @@ _KINDS = {"crashes": "crash", "hangs": "timeout"}
 
 
 def environment():
-    """No screen and no questions; AFL++ insists on sanitizers that abort without a symbolizer."""
+    """No screen and no questions; AFL++ insists on sanitizers that abort without a symbolizer.
+    Unless allowed to, afl-cmin refuses to work below /tmp, where a campaign may be."""
     sanitizer = "abort_on_error=1:symbolize=0:halt_on_error=1"
     return {"AFL_NO_UI": "1", "AFL_SKIP_CPUFREQ": "1", "AFL_NO_AFFINITY": "1",
-            "AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES": "1",
+            "AFL_ALLOW_TMP": "1", "AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES": "1",
             "ASAN_OPTIONS": f"{sanitizer}:detect_leaks=0:allocator_may_return_null=1",
             "UBSAN_OPTIONS": sanitizer}
 

@@ -22,15 +22,19 @@ def environment():
 
 
 def command(turn, seconds):
-    """libFuzzer writes new inputs to the first directory and only reads the second. It stops at the
-    first failing input: a turn runs it again until its time is over."""
-    program = turn.programs.fuzzer(turn.target)
+    """libFuzzer stops at the first failing input: a turn runs it again until its time is over."""
     artifacts = turn.work / "artifacts"
     artifacts.mkdir(exist_ok=True)
-    dictionary = turn.programs.dictionary(turn.target)
-    return [program, f"-max_total_time={max(1, round(seconds))}", "-print_final_stats=1",
-            f"-artifact_prefix={artifacts}/", *limits(turn.limits),
-            *([f"-dict={dictionary}"] if dictionary else []), turn.corpus, turn.seeds]
+    return fuzz_command(turn.programs, turn.target, seconds, turn.limits, artifacts,
+                        [turn.corpus, turn.seeds])
+
+
+def fuzz_command(programs, target, seconds, given, artifacts, directories):
+    """libFuzzer writes new inputs to the first of the directories and only reads the others."""
+    dictionary = programs.dictionary(target)
+    return [programs.fuzzer(target), f"-max_total_time={max(1, round(seconds))}",
+            "-print_final_stats=1", f"-artifact_prefix={artifacts}/", *limits(given),
+            *([f"-dict={dictionary}"] if dictionary else []), *directories]
 
 
 def limits(given):

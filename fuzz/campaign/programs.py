@@ -1,6 +1,8 @@
 """The built programs: one fuzzer a target, and tightflip_fuzz, which writes seeds, replays,
 minimises and puts inputs in words. Any directory with programs of these names serves."""
 
+import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -20,9 +22,11 @@ def choose(known, wanted):
 
 
 class Programs:
-    def __init__(self, directory, dictionaries):
+    def __init__(self, directory, dictionaries, environment=None):
+        """environment: what the tool runs with besides the campaign's own."""
         self.directory = Path(directory).resolve()
         self.dictionaries = Path(dictionaries)
+        self._environment = os.environ | (environment or {})
         self.tool = self.directory / TOOL
         if not self.tool.is_file():
             raise UsageError(f"there is no program {self.tool}")
@@ -47,7 +51,9 @@ class Programs:
             raise UsageError(f"no fuzzer in {self.directory} for: {', '.join(missing)}")
 
     def write_seeds(self, target, directory):
-        directory.mkdir(parents=True, exist_ok=True)
+        """Anew, as this version has them."""
+        shutil.rmtree(directory, ignore_errors=True)
+        directory.mkdir(parents=True)
         self._ask("seeds", target, directory)
 
     def show(self, target, path):
@@ -63,7 +69,7 @@ class Programs:
     def _ask(self, *words):
         try:
             return subprocess.run([self.tool, *words], stdin=subprocess.DEVNULL, check=True,
-                                  capture_output=True, timeout=600)
+                                  capture_output=True, timeout=600, env=self._environment)
         except subprocess.CalledProcessError as error:
             last = error.stderr.decode(errors="replace").strip().splitlines()[-1:]
             raise UsageError(f"{TOOL} {words[0]} ended with {error.returncode}: "

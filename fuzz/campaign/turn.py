@@ -8,8 +8,8 @@ from types import ModuleType
 
 from campaign import child
 from campaign.programs import Programs
+from campaign.schedule import LEAST_SECONDS
 
-LEAST_SECONDS = 1.0
 _ENDED_AT_ONCE = 3  # runs in a row that end before their time and leave no failing input
 
 
@@ -31,20 +31,22 @@ class Turn:
     seeds: Path
     limits: Limits
 
-    def run(self, seconds, stop, tick, on_failing_input):
-        """Runs the engine until the time is over; again where it stopped at a failing input.
-        Returns a complaint where the engine does not run at all."""
+    def run(self, until, stop, tick, on_failing_input):
+        """Runs the engine until that moment of the monotonic clock; again where it stopped at a
+        failing input. It is ended if it takes longer than one input may: reading its seeds, an
+        engine does not look at the time. Returns a complaint where it does not run at all."""
         self.work.mkdir(parents=True)
         self.engine.prepare(self)
-        until = time.monotonic() + seconds
         runs = in_vain = 0
-        while not stop.is_set() and until - time.monotonic() >= LEAST_SECONDS:
-            runs += 1
+        while not stop.is_set():
             left = until - time.monotonic()
+            if runs > 0 and left < LEAST_SECONDS:
+                break
+            runs += 1
             before = len(self.engine.artifacts(self.work))
             output = self.work / f"run-{runs}.log"
             code = child.run(self.engine.command(self, left), output, stop,
-                             self.engine.environment(), left + 60, tick)
+                             self.engine.environment(), left + self.limits.input_seconds, tick)
             if len(self.engine.artifacts(self.work)) > before:
                 in_vain = 0
                 on_failing_input(self)
@@ -56,12 +58,13 @@ class Turn:
                     return f"the engine ended with {code}: {last_line(output)}"
         return None
 
-    def merge(self, stop):
-        """A directory with a part of the corpus that covers as much; None where that failed."""
+    def merge(self, seconds, stop):
+        """A directory with a part of the corpus that covers as much; None where that failed, or
+        took too long."""
         merged = self.work / "merged"
         merged.mkdir()
         code = child.run(self.engine.merge_command(self, merged), self.work / "merge.log", stop,
-                         self.engine.environment())
+                         self.engine.environment(), seconds)
         if code != 0 or not any(merged.iterdir()):
             return None
         return merged

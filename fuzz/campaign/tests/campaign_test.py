@@ -27,6 +27,17 @@ class CampaignTest(FakeProgramsCase):
             self.assertGreater(self.state()["targets"][name]["executions"], 50)
         self.assertIn("| alpha | 0:00:0", self.report())
 
+    def test_every_target_has_a_turn_though_one_takes_long_to_read_its_seeds(self):
+        self.given_corpus("alpha", {"slow": "SLOW"})
+        code, out, _ = self.run_campaign("--minutes", str(7 * SECONDS), "--jobs", "1",
+                                         "--timeout", "1")
+        self.assertEqual(code, 0, out)
+        for name in ("alpha", "beta", "gamma"):
+            self.assertEqual(self.state()["targets"][name]["turns"], 1, out)
+        self.assertGreater(self.state()["targets"]["gamma"]["executions"], 10)
+        self.assertIn("each of 3 targets gets 2.3 s, which may not be enough to start and to read "
+                      "the seeds; 0.2 minutes give it 5 s", out)
+
     def test_failing_inputs_are_kept_once_a_kind_minimised_and_in_words(self):
         self.plan("alpha", "new one", "CLAIM topology 1 2 3", "CLAIM topology 7", "new two",
                   "CLAIM inverse 4", "OVERFLOW 1", "OVERFLOW 22", "HANG 1", "HANG 333")
@@ -130,6 +141,13 @@ class CampaignTest(FakeProgramsCase):
         self.assertEqual(code, 0, out)
         self.assertIn("corpus merged, 251 -> 4 inputs", out)
         self.assertEqual(sorted(text[0] for text in self.corpus("alpha")), list("abks"))
+
+    def test_a_merge_that_takes_too_long_is_given_up(self):
+        self.given_corpus("alpha", {f"{number}": f"MERGES LONG {number}" for number in range(250)})
+        _, out, _ = self.run_campaign("--targets", "alpha", "--minutes", str(2 * SECONDS),
+                                      "--jobs", "1")
+        self.assertIn("alpha: corpus of 251 inputs not merged", out)
+        self.assertEqual(len(self.corpus("alpha")), 251)
 
     def test_an_unknown_target_is_refused_with_those_that_there_are(self):
         code, _, err = self.run_campaign("--targets", "alpha,delta")

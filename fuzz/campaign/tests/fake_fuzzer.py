@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Behaves like NAME_fuzzer with libFuzzer in it, and as tightflip_fuzz, but runs nothing. What an
-input does is written in it: CLAIM, OVERFLOW and HANG fail, anything else is fine. What is found
-when is in the file NAME.plan beside this program: one input a line, taken one after the other by
-all runs together; then only inputs that are known already."""
+input does is written in it: CLAIM, OVERFLOW and HANG fail, SLOW takes a minute, anything else is
+fine. What is found when is in the file NAME.plan beside this program: one input a line, taken one
+after the other by all runs together; then only inputs that are known already."""
 
 import hashlib
 import shutil
@@ -51,6 +51,8 @@ def failure(data):
 def execute(data, prefix):
     """Ends the program where the input fails."""
     failed = failure(data)
+    if b"SLOW" in data:
+        time.sleep(60)
     if failed:
         kind, text = failed
         print(text, flush=True)
@@ -94,11 +96,13 @@ def fuzz(name, flags, directories):
 
 
 def merge(directories):
-    """Of inputs with the same first byte, the first."""
+    """Of inputs with the same first byte, the first. MERGES LONG takes a second."""
     first = {}
     for directory in directories[1:]:
         for path in sorted(directory.iterdir()):
-            first.setdefault(path.read_bytes()[:1], path)
+            data = path.read_bytes()
+            first.setdefault(data[:1], path)
+            time.sleep(1 if b"MERGES LONG" in data else 0)
     for path in first.values():
         shutil.copy(path, directories[0] / path.name)
 

@@ -5,6 +5,7 @@ import os
 import stat
 import tempfile
 import threading
+import time
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -93,6 +94,13 @@ class CorpusTest(InDirectory):
         self.assertEqual(len(corpus.inputs(self.directory / "alpha")), 1)
 
 
+def _runs(stat_file):
+    try:
+        return " Z " not in stat_file.read_text(encoding="utf-8")
+    except OSError:
+        return False
+
+
 class ChildTest(InDirectory):
     def test_what_runs_too_long_ends_with_everything_it_started(self):
         log = self.directory / "log"
@@ -102,7 +110,10 @@ class ChildTest(InDirectory):
         self.assertIsNone(code)
         self.assertAlmostEqual(sum(passed), 0.5, delta=0.5)
         started = Path(f"/proc/{log.read_text().strip()}/stat")
-        self.assertFalse(started.exists() and " Z " not in started.read_text())
+        until = time.monotonic() + 10  # a signal that was sent takes effect a little later
+        while _runs(started) and time.monotonic() < until:
+            time.sleep(0.01)
+        self.assertFalse(_runs(started))
 
     def test_output_and_exit_code_are_kept(self):
         log = self.directory / "log"
@@ -115,21 +126,68 @@ class ScheduleTest(unittest.TestCase):
     def test_turns_share_the_time_evenly(self):
         for jobs in range(1, 7):
             for targets in range(1, 13):
-                seconds = schedule.slice_seconds(36000, jobs, targets)
-                turns = 36000 * jobs / seconds
-                self.assertAlmostEqual(turns / targets, round(turns / targets))
-                self.assertAlmostEqual(turns / jobs, round(turns / jobs))
-                self.assertLess(seconds, 36000)
+                turns = schedule.number_of_turns(36000, jobs, targets)
+                self.assertEqual(turns % targets, 0)
+                self.assertEqual(turns % jobs, 0)
+                self.assertLess(36000 * jobs / turns, 36000)
 
     def test_turns_are_near_the_preferred_length(self):
-        self.assertAlmostEqual(schedule.slice_seconds(36000, 2, 12), 300)
-        self.assertAlmostEqual(schedule.slice_seconds(60, 1, 2), 30)
+        self.assertEqual(schedule.number_of_turns(36000, 2, 12), 2 * 36000 / 300)
+        self.assertEqual(schedule.number_of_turns(60, 1, 2), 2)
 
     def test_the_target_with_the_least_is_next(self):
         targets, seconds = ["a", "b", "c"], {"a": 5.0, "b": 3.0, "c": 3.0}
         self.assertEqual(schedule.next_target(targets, seconds, []), "b")
         self.assertEqual(schedule.next_target(targets, seconds, ["b"]), "c")
         self.assertEqual(schedule.next_target(targets, seconds, ["b", "c"]), "a")
+
+    def play(self, targets, jobs, seconds, overhead):
+        """[(target, begin, length)] of all turns, where a turn takes `overhead` of target and
+        length beyond its length."""
+        shares, turns = schedule.Schedule(targets, jobs, 0.0, seconds), []
+        had, at_work = dict.fromkeys(targets, 0.0), []
+        for _ in range(jobs):
+            at_work.append((0.0, None))
+        while at_work:
+            at_work.sort(key=lambda one: one[0])
+            now, slot = at_work.pop(0)
+            if slot:
+                shares.end(slot, now)
+            if seconds - now < schedule.LEAST_SECONDS:
+                continue
+            slot = shares.begin(had, now)
+            length = slot.until - now
+            self.assertGreater(length, 0)
+            turns.append((slot.target, now, length))
+            had[slot.target] += length
+            at_work.append((slot.until + overhead(slot.target, length), slot))
+        return turns
+
+    def test_where_nothing_takes_longer_turns_are_equal_and_all_jobs_end_together(self):
+        for jobs, number in ((1, 1), (2, 18), (2, 3), (3, 2), (4, 18), (5, 7)):
+            targets = [f"t{index}" for index in range(number)]
+            turns = self.play(targets, jobs, 180.0, lambda target, length: 0.0)
+            self.assertEqual(len(turns), schedule.number_of_turns(180.0, jobs, number))
+            for _, begin, length in turns:
+                self.assertAlmostEqual(length, 180.0 * jobs / len(turns))
+            names = [target for target, _, _ in turns]
+            self.assertEqual({names.count(target) for target in targets},
+                             {len(turns) // number})
+
+    def test_every_target_has_a_turn_though_turns_take_longer_than_they_should(self):
+        targets = [f"t{index:02}" for index in range(18)]
+        for least, overhead in ((3, lambda target, length: 7.0),
+                                (4, lambda target, length: length / 2),
+                                (1, lambda target, length: 70.0 * (target == "t05")),
+                                (1, lambda target, length: 100.0 * (target in ("t01", "t02"))),
+                                (10, lambda target, length: -length / 2)):
+            for jobs in (2, 3, 4):
+                turns = self.play(targets, jobs, 360.0 / jobs, overhead)
+                self.assertEqual({target for target, _, _ in turns}, set(targets))
+                self.assertGreaterEqual(min(length for _, _, length in turns[:18]), least)
+                for _, begin, length in turns:
+                    self.assertLessEqual(begin + length, 360.0 / jobs + 1e-9)
+                    self.assertLessEqual(length, 20.0 + 1e-9)
 
 
 class EngineTest(InDirectory):
