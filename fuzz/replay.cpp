@@ -23,7 +23,7 @@ void Replayer::replay_path(const fs::path& path) {
     std::vector<fs::path> files;
     for (fs::recursive_directory_iterator at(path, error), end; at != end && !error;
          at.increment(error)) {
-        if (!at->is_directory()) files.push_back(at->path());
+        if (!fs::is_directory(at->symlink_status())) files.push_back(at->path());
     }
     if (error) skip(path.string(), error.message());
     std::ranges::sort(files);
@@ -44,15 +44,21 @@ void Replayer::replay(const std::string& name, Input input) {
 }
 
 void Replayer::replay_file(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {  // a pipe would be waited for
+        skip(path.string(), "is no regular file");
+        return;
+    }
     try {
         const InputBytes input = read_input(path);
         if (is_of_this_version(target_.layout, input)) {
             replay(path.string(), input);
         } else {
-            skip(path.string(), "of another version than " + std::to_string(format_version));
+            skip(path.string(), other_version());
         }
-    } catch (const kernel::FileError& error) {
-        skip(path.string(), error.reason());
+    } catch (const kernel::FileError& unreadable) {
+        skip(path.string(), unreadable.reason());
     }
 }
 
@@ -67,6 +73,10 @@ std::string describe(const ReplaySummary& summary) {
                                 : std::to_string(summary.broken) + " break a claim";
     if (summary.skipped > 0) text += ", " + std::to_string(summary.skipped) + " files skipped";
     return text;
+}
+
+std::string other_version() {
+    return "of another version than " + std::to_string(format_version);
 }
 
 InputBytes read_input(const fs::path& path) {

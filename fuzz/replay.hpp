@@ -12,7 +12,7 @@ namespace tightflip::fuzz {
 struct ReplaySummary {
     std::size_t inputs = 0;
     std::size_t broken = 0;   ///< inputs that break a claim
-    std::size_t skipped = 0;  ///< files that could not be read, or are of another version
+    std::size_t skipped = 0;  ///< what is no regular file, cannot be read, or is of another version
 };
 
 class Replayer {
@@ -23,7 +23,8 @@ public:
         : target_(target), out_(out), errors_(errors), verbose_(verbose) {}
 
     void replay_seeds();
-    /// A file, or the files of a directory and of those in it, in the order of their names.
+    /// A file, or the files of a directory and of those in it, in the order of their names. Links
+    /// to directories are not followed.
     void replay_path(const std::filesystem::path& path);
 
     [[nodiscard]] const ReplaySummary& summary() const noexcept { return summary_; }
@@ -42,6 +43,9 @@ private:
 
 /// One line: "12 inputs, every claim held" and the like.
 [[nodiscard]] std::string describe(const ReplaySummary& summary);
+
+/// What is said of an input that is not of this version.
+[[nodiscard]] std::string other_version();
 
 /// The bytes of a file. Throws kernel::FileError for one that cannot be read.
 [[nodiscard]] InputBytes read_input(const std::filesystem::path& path);

@@ -1,6 +1,5 @@
 #include "targets.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace tightflip::fuzz {
@@ -17,11 +16,6 @@ std::span<const Target> targets() {
             surface_text_target,
     };
     return table;
-}
-
-const Target* find_target(std::string_view name) {
-    const auto found = std::ranges::find(targets(), name, &Target::name);
-    return found == targets().end() ? nullptr : &*found;
 }
 
 }  // namespace tightflip::fuzz

@@ -28,7 +28,4 @@ extern const Target surface_text_target;
 /// The table, in the order of names.
 [[nodiscard]] std::span<const Target> targets();
 
-/// The target of that name, or nullptr.
-[[nodiscard]] const Target* find_target(std::string_view name);
-
 }  // namespace tightflip::fuzz

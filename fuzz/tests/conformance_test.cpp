@@ -11,31 +11,22 @@ namespace {
 
 using properties::KernelClass;
 
-TEST(ConformanceInput, IsAStartLawsAndFlips) {
-    const ConformanceCase script = decode_conformance(InputBytes{1, 0, 0, 0, 0, 1, 3, 0, 4, 1});
-    EXPECT_TRUE(script.laws);
-    EXPECT_EQ(script.flips.picks, (std::vector<std::uint32_t>{3, 260}));
-    EXPECT_EQ(script.flips.kind, properties::find_start_kind("tetrahedron"));
-    EXPECT_FALSE(decode_conformance({}).laws);
-}
-
 TEST(Conformance, ObjectsToABrokenKernel) {
     const std::vector<JudgedKernel> kernels{{properties::broken_kernel(), {}}};
     int objections = 0;
     for (const Seed& seed : conformance_target.seeds())
-        objections +=
-            conformance_objection(decode_conformance(seed.bytes), kernels).empty() ? 0 : 1;
+        objections += kernel_objection(decode_kernel_script(seed.bytes), kernels).empty() ? 0 : 1;
     EXPECT_GT(objections, 0);
 }
 
 TEST(Conformance, ObjectsToWhatIsNotKnownOfAKernel) {
     const std::vector<JudgedKernel> kernels{
         {properties::cgal_surface_mesh(KernelClass::simple), {}}};
-    const ConformanceCase script = decode_conformance(InputBytes{1, 0, 0, 0, 0, 0, 3, 0});
+    const KernelScript script = decode_kernel_script(InputBytes{1, 0, 0, 0, 0, 0, 3, 0});
     EXPECT_THAT(
-        conformance_objection(script, kernels),
+        kernel_objection(script, kernels),
         ::testing::StartsWith("invalid_flip_allowed: CGAL::Surface_mesh, judged as simple"));
-    EXPECT_EQ(conformance_objection(script, judged_kernels()), "");
+    EXPECT_EQ(kernel_objection(script, judged_kernels()), "");
 }
 
 TEST(Conformance, KnowsNothingThatItsSeedsDoNotShow) {
@@ -47,7 +38,7 @@ TEST(Conformance, KnowsNothingThatItsSeedsDoNotShow) {
             const std::vector<JudgedKernel> without{{kernel, others}};
             bool shown = false;
             for (const Seed& seed : conformance_target.seeds())
-                shown |= !conformance_objection(decode_conformance(seed.bytes), without).empty();
+                shown |= !kernel_objection(decode_kernel_script(seed.bytes), without).empty();
             EXPECT_TRUE(shown) << kernel.name << ": " << name(code);
         }
     }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <ostream>
 #include <sstream>
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,6 +78,20 @@ TEST_F(Replay, SkipsAndNamesWhatItCannotRead) {
     EXPECT_THAT(errors_.str(), HasSubstr("dangling: "));
     EXPECT_THAT(errors_.str(), Not(HasSubstr("good")));
     EXPECT_EQ(describe(replayer_.summary()), "1 inputs, every claim held, 3 files skipped");
+}
+
+TEST_F(Replay, SkipsAndNamesWhatIsNoRegularFile) {
+    write("inner/good", InputBytes{1, 2});
+    ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    fs::create_directory_symlink("inner", folder_ / "linked");
+    fs::create_symlink("inner/good", folder_ / "linked_file");
+    replayer_.replay_path(folder_);
+    EXPECT_EQ(replayer_.summary().inputs, 2U);
+    EXPECT_EQ(replayer_.summary().skipped, 2U);
+    EXPECT_THAT(errors_.str(), HasSubstr("pipe: is no regular file"));
+    EXPECT_THAT(errors_.str(), HasSubstr("linked: is no regular file"));
+    replayer_.replay_path(folder_ / "pipe");
+    EXPECT_EQ(replayer_.summary().skipped, 3U);
 }
 
 TEST_F(Replay, SkipsAPathThatIsNot) {

@@ -30,6 +30,10 @@ expect 2 'usage:' fly
 expect 2 'usage:' show flip_script
 expect 2 'usage:' list more
 expect 2 "no target 'no_such'; there are:.* flip_script" replay no_such --seeds
+expect 2 'usage:' replay flip_script --sedes --seeds
+expect 2 'usage:' seeds flip_script --directory "$folder/never"
+expect 2 'usage:' list --seeds
+expect 0 'seed no_flip: .*tetrahedron' replay flip_script --verbose --seeds
 
 expect 0 'seeds in ' seeds flip_script "$folder/seeds"
 expect 0 '[0-9]+ inputs, every claim held$' replay flip_script "$folder/seeds"
@@ -42,10 +46,14 @@ diff -r "$folder/seeds" "$folder/again" || status=1
 printf '\002other version' >"$folder/seeds/zz_other"
 expect 0 'skipped .*zz_other: of another version' replay flip_script "$folder/seeds"
 expect 2 'skipped .*zz_other: of another version' replay flip_script "$folder/seeds/zz_other"
-expect 2 'of another version' show flip_script "$folder/seeds/zz_other"
+expect 2 'zz_other: of another version' show flip_script "$folder/seeds/zz_other"
+expect 2 'zz_other: of another version' minimise flip_script "$folder/seeds/zz_other" "$folder/out"
 expect 2 'missing' replay flip_script "$folder/missing"
 expect 2 'missing' show flip_script "$folder/missing"
 expect 2 '0 inputs' replay flip_script "$folder/seeds/zz_other"
+mkfifo "$folder/seeds/zz_pipe"
+expect 0 'skipped .*zz_pipe: is no regular file' replay flip_script "$folder/seeds"
+expect 2 'skipped .*zz_pipe: is no regular file' replay flip_script "$folder/seeds/zz_pipe"
 mkdir "$folder/empty"
 expect 2 '0 inputs' replay flip_script "$folder/empty"
 

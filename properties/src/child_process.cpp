@@ -18,6 +18,15 @@ namespace {
     throw std::system_error(errno, std::generic_category(), what);
 }
 
+/// After the output of a child whose work is over stand this and the failure, if any.
+constexpr char end_mark = '\0';
+
+std::string failure_in(const std::function<void(const ChildOutput&)>& work,
+                       const ChildOutput& write) {
+    const auto thrown = thrown_by([&] { work(write); });
+    return thrown ? "threw: " + *thrown : std::string();
+}
+
 [[noreturn]] void be_the_child(const std::function<void(const ChildOutput&)>& work,
                                unsigned seconds, int pipe_end) {
     // A sanitizer's handlers would report and exit; here the signal itself is the answer.
@@ -28,19 +37,15 @@ namespace {
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDERR_FILENO);
     alarm(seconds);
-    int code = 0;
-    try {
-        work([pipe_end](std::string_view text) {
-            while (!text.empty()) {
-                const ssize_t n = write(pipe_end, text.data(), text.size());
-                if (n <= 0) return;
-                text.remove_prefix(static_cast<std::size_t>(n));
-            }
-        });
-    } catch (...) {
-        code = 1;
-    }
-    _exit(code);  // without the parent's destructors
+    const auto to_parent = [pipe_end](std::string_view text) {
+        while (!text.empty()) {
+            const ssize_t n = write(pipe_end, text.data(), text.size());
+            if (n <= 0) return;
+            text.remove_prefix(static_cast<std::size_t>(n));
+        }
+    };
+    to_parent(end_mark + failure_in(work, to_parent));
+    _exit(0);  // without the parent's destructors
 }
 
 std::string read_all(int pipe_end) {
@@ -59,8 +64,7 @@ std::string failure_of(int status, unsigned seconds) {
         if (signal == SIGALRM) return "did not answer within " + std::to_string(seconds) + " s";
         return "was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
     }
-    const int code = WEXITSTATUS(status);
-    return code == 0 ? std::string() : "ended with exit code " + std::to_string(code);
+    return "ended its process with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -85,9 +89,31 @@ ChildResult run_in_child(const std::function<void(const ChildOutput&)>& work, un
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    result.failure = failure_of(status, seconds);
-    result.timed_out = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+    if (const auto end = result.output.rfind(end_mark); end != std::string::npos) {
+        result.failure = result.output.substr(end + 1);
+        result.output.resize(end);
+    } else {
+        result.failure = failure_of(status, seconds);
+        result.timed_out = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+    }
     return result;
+}
+
+ChildResult run_here(const std::function<void(const ChildOutput&)>& work) {
+    ChildResult result;
+    result.failure = failure_in(work, [&](std::string_view text) { result.output += text; });
+    return result;
+}
+
+std::optional<std::string> thrown_by(const std::function<void()>& work) {
+    try {
+        work();
+        return std::nullopt;
+    } catch (const std::exception& error) {
+        return error.what();
+    } catch (...) {
+        return "something that is no std::exception";
+    }
 }
 
 }  // namespace tightflip::properties

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace tightflip::properties {
 namespace {
@@ -40,21 +41,10 @@ std::vector<Start> starts_for(const KernelDescription& kernel, std::uint64_t see
         Start start{std::string(kind) + " V=" + std::to_string(request.vertices),
                     make_nearest(*find_start_kind(kind), request)};
         if (request.genus > 0) start.name += " genus " + std::to_string(request.genus);
-        const bool is_simple = audit(start.surface).is_simple().value_or(false);
-        if (!is_simple && (!kernel.takes_gluings || kernel.allowed == KernelClass::simple)) {
-            continue;
-        }
+        if (!kernel.can_start(audit(start.surface).is_simple().value_or(false))) continue;
         starts.push_back(std::move(start));
     }
     return starts;
-}
-
-std::vector<KernelProperty> properties_asked(const KernelDescription& kernel) {
-    std::vector<KernelProperty> asked;
-    for (const KernelProperty property : all_kernel_properties()) {
-        if (property != KernelProperty::handles || kernel.keeps_sides) asked.push_back(property);
-    }
-    return asked;
 }
 
 /// A script to run, and whether every flip is taken back and repeated.
@@ -111,12 +101,7 @@ ScriptRun run_script(const KernelDescription& kernel, const Triangulation& start
 }
 
 KernelReport test_kernel(const KernelDescription& kernel, const ConformanceOptions& options) {
-    KernelReport report{.kernel = kernel.name,
-                        .allowed = kernel.allowed,
-                        .findings = {},
-                        .asked = properties_asked(kernel),
-                        .flips = 0,
-                        .planted = 0};
+    KernelReport report{.kernel = kernel.name, .allowed = kernel.allowed, .findings = {}};
     const std::vector<Start> starts = starts_for(kernel, options.seed);
     kernel::RandomStream random(options.seed);
     std::size_t hangs = 0;
@@ -125,7 +110,7 @@ KernelReport test_kernel(const KernelDescription& kernel, const ConformanceOptio
              trials_from(start, &start == &starts.front(), options, random)) {
             if (hangs >= options.most_hangs) break;
             const ScriptRun run = run_isolated(kernel, start.surface, script, laws, options);
-            report.flips += script.size();
+            std::ranges::transform(report.asked, run.asked, report.asked.begin(), std::plus());
             hangs += run.timed_out ? 1 : 0;
             for (const KernelFinding& finding : run.findings) {
                 if (report.find(finding.code) != nullptr) continue;
@@ -133,12 +118,16 @@ KernelReport test_kernel(const KernelDescription& kernel, const ConformanceOptio
             }
         }
     }
+    const bool is_readable = report.asked[static_cast<std::size_t>(KernelProperty::reading)] > 0;
+    hangs = 0;
     for (const Damage& damage : damages()) {
-        hangs = 0;
-        for (std::size_t i = 0; i < 3 && hangs == 0; ++i) {  // the smallest starts
+        if (!is_readable || hangs >= options.most_hangs) break;
+        bool hung = false;
+        for (std::size_t i = 0; i < 3 && !hung; ++i) {  // the smallest starts
             const auto& [name, start] = starts[i];
-            hangs += plant_damage(kernel, damage, name, start, options, report) ? 1 : 0;
+            hung = plant_damage(kernel, damage, name, start, options, report);
         }
+        hangs += hung ? 1 : 0;
     }
     std::ranges::sort(report.findings, {}, &KernelFinding::code);
     return report;

@@ -21,6 +21,19 @@ std::string tame(std::string_view name) {
     return tamed;
 }
 
+/// The directory for failing cases.
+std::filesystem::path failures_directory() {
+    const char* const named = std::getenv(failures_directory_variable);
+    return named != nullptr && *named != '\0' ? named : ".";
+}
+
+/// Makes the directory if there is none.
+void make(const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) throw kernel::FileError(directory.string(), "cannot be made: " + error.message());
+}
+
 }  // namespace
 
 std::string in_words(const FailingCase& failing) {
@@ -37,8 +50,9 @@ std::string in_words(const FailingCase& failing) {
 }
 
 std::filesystem::path write_failing_case(std::string_view name, const FailingCase& failing) {
-    const char* const directory = std::getenv(failures_directory_variable);
-    const auto path = std::filesystem::path(directory != nullptr ? directory : ".") / tame(name);
+    const std::filesystem::path directory = failures_directory();
+    make(directory);
+    const auto path = directory / tame(name);
     const auto with = [&](const char* ending) {
         return std::filesystem::path(path.string() + ending);
     };
@@ -49,6 +63,16 @@ std::filesystem::path write_failing_case(std::string_view name, const FailingCas
     }
     kernel::write_file(with(".flips"), [&](std::ostream& out) { write_text(out, failing.log); });
     return with(".flips");
+}
+
+std::string written_and_in_words(std::string_view name, const FailingCase& failing) {
+    std::string text = in_words(failing);
+    try {
+        text += "written to " + write_failing_case(name, failing).string();
+    } catch (const kernel::FileError& error) {
+        text += std::string("not written: ") + error.what();
+    }
+    return text;
 }
 
 }  // namespace tightflip::properties

@@ -9,63 +9,72 @@
 namespace tightflip::properties {
 namespace {
 
-std::string packed(const KernelFinding& finding) {
-    std::string text = std::to_string(static_cast<int>(finding.code)) + " " +
-                       std::to_string(finding.step) + " " +
-                       std::to_string(finding.log->flips.size());
-    for (const Edge e : finding.log->flips)
-        text += " " + std::to_string(e.id);
-    text += " " + finding.words;
-    std::ranges::replace(text, '\n', ' ');
-    return text + "\n";
-}
+/// Lines "at STEP FLIPS LAST-FLIP QUESTIONS..." say how far a run has come, and "found CODE WORDS"
+/// what showed there.
+class RunWriter {
+public:
+    explicit RunWriter(const ChildOutput& write) : write_(write) {}
 
-std::vector<KernelFinding> unpacked(const std::string& text, const Triangulation& start,
-                                    std::span<const Edge> script) {
-    std::istringstream in(text);
-    std::vector<KernelFinding> findings;
-    int code = 0;
-    std::size_t flips = 0;
-    KernelFinding finding;
-    while (in >> code >> finding.step >> flips) {
-        finding.code = static_cast<KernelCode>(code);
-        finding.log = kernel::FlipLog{start, FlipScript(flips)};
-        for (Edge& e : finding.log->flips)
-            in >> e.id;
-        in.get();
-        std::getline(in, finding.words);
-        const auto used = static_cast<std::ptrdiff_t>(std::min(finding.step, script.size()));
-        finding.script.assign(script.begin(), script.begin() + used);
-        findings.push_back(finding);
+    void operator()(const ScriptRun& run) {
+        std::ostringstream lines;
+        lines << "at " << run.step << ' ' << run.flips.size() << ' '
+              << (run.flips.empty() ? -1 : run.flips.back().id);
+        for (const std::size_t times : run.asked)
+            lines << ' ' << times;
+        lines << '\n';
+        for (; written_ < run.findings.size(); ++written_) {
+            const KernelFinding& finding = run.findings[written_];
+            std::string words = finding.words;
+            std::ranges::replace(words, '\n', ' ');
+            lines << "found " << static_cast<int>(finding.code) << ' ' << words << '\n';
+        }
+        write_(lines.str());
     }
-    return findings;
-}
 
-KernelFinding crash(std::string words, const Triangulation& start, std::span<const Edge> script) {
-    return {.code = KernelCode::crashed_or_hung,
-            .start = {},
-            .step = script.size(),
-            .words = std::move(words),
-            .script = FlipScript(script.begin(), script.end()),
-            .log = kernel::FlipLog{start, FlipScript(script.begin(), script.end())}};
+private:
+    const ChildOutput& write_;
+    std::size_t written_ = 0;  // findings
+};
+
+void read_progress(std::istream& in, ScriptRun& run) {
+    std::size_t flips = 0;
+    Edge last{};
+    in >> run.step >> flips >> last.id;
+    for (std::size_t& times : run.asked)
+        in >> times;
+    // Every flip was told of when it was the last.
+    run.flips.resize(flips);
+    if (flips > 0) run.flips.back() = last;
 }
 
 }  // namespace
 
 ScriptRun run_isolated(const KernelDescription& kernel, const Triangulation& start,
                        std::span<const Edge> script, bool laws, const ConformanceOptions& options) {
-    if (!options.isolate) return run_script(kernel, start, script, laws);
-    const ChildResult child = run_in_child(
-        [&](const ChildOutput& write) {
-            static_cast<void>(
-                watch_script(kernel, start, script, laws,
-                             [&](const KernelFinding& finding) { write(packed(finding)); }));
-        },
-        options.seconds);
-    ScriptRun run{.findings = unpacked(child.output, start, script), .timed_out = child.timed_out};
-    if (!child.failure.empty()) {
-        run.findings.push_back(crash("the kernel " + child.failure, start, script));
+    const auto watch = [&](const ChildOutput& write) {
+        static_cast<void>(watch_script(kernel, start, script, laws, RunWriter(write)));
+    };
+    const ChildResult child =
+        options.isolate ? run_in_child(watch, options.seconds) : run_here(watch);
+    ScriptRun run;
+    const auto add = [&](KernelCode code, std::string words) {
+        run.findings.push_back(finding_at(code, std::move(words), run, start, script, laws));
+    };
+    std::istringstream in(child.output);
+    for (std::string kind; in >> kind;) {
+        if (kind == "at") {
+            read_progress(in, run);
+            continue;
+        }
+        int code = 0;
+        std::string words;
+        in >> code;
+        in.get();
+        std::getline(in, words);
+        add(static_cast<KernelCode>(code), std::move(words));
     }
+    run.timed_out = child.timed_out;
+    if (!child.failure.empty()) add(KernelCode::crashed_or_hung, "the kernel " + child.failure);
     return run;
 }
 

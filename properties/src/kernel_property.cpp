@@ -28,6 +28,7 @@ constexpr std::array code_names{
     CodeName{KernelCode::wrong_origin_accepted, "wrong_origin_accepted"},
     CodeName{KernelCode::wrong_next_accepted, "wrong_next_accepted"},
     CodeName{KernelCode::wrong_across_accepted, "wrong_across_accepted"},
+    CodeName{KernelCode::forbidden_edge_accepted, "forbidden_edge_accepted"},
     CodeName{KernelCode::answers_differ_from_ours, "answers_differ_from_ours"},
     CodeName{KernelCode::surface_differs_from_ours, "surface_differs_from_ours"},
     CodeName{KernelCode::threw, "threw"},
@@ -39,27 +40,37 @@ struct PropertyName {
     KernelProperty property;
     std::string_view name;
     std::string_view words;
+    std::string_view why_not_asked;
 };
+constexpr std::string_view no_flip = "no flip was done";
 constexpr std::array property_names{
     PropertyName{KernelProperty::reading, "reading",
-                 "it holds the surface it was given, and counts it right"},
+                 "it holds the surface it was given, and counts it right", "no start was made"},
     PropertyName{KernelProperty::topology, "topology",
-                 "flips keep counts, Euler characteristic, connectedness and orientability"},
+                 "flips keep counts, Euler characteristic, connectedness and orientability",
+                 no_flip},
     PropertyName{KernelProperty::locality, "locality",
-                 "nothing outside the two faces at the edge changes"},
-    PropertyName{KernelProperty::definition, "definition", "a flip is the diagonal flip"},
+                 "nothing outside the two faces at the edge changes", no_flip},
+    PropertyName{KernelProperty::definition, "definition", "a flip is the diagonal flip", no_flip},
     PropertyName{KernelProperty::inverse, "inverse",
-                 "a second flip of the edge gives the old surface, four flips the old sides"},
-    PropertyName{KernelProperty::handles, "handles", "sides of other edges keep their meaning"},
+                 "a second flip of the edge gives the old surface, four flips the old sides",
+                 "no flip was taken back"},
+    PropertyName{KernelProperty::handles, "handles", "sides of other edges keep their meaning",
+                 "that is not promised, or no flip was done"},
     PropertyName{KernelProperty::legality, "legality",
-                 "the kernel says yes exactly where the result is valid in its class"},
+                 "the kernel says yes exactly where the result is valid in its class",
+                 "no edge was asked about"},
     PropertyName{KernelProperty::validator, "validator",
                  "the kernel's own validator says what the audit says, of results and of planted "
-                 "faults"},
+                 "faults",
+                 "it never met an invalid surface"},
     PropertyName{KernelProperty::agreement, "agreement",
-                 "step by step the answers and the surface of tightflip's kernel"},
-    PropertyName{KernelProperty::survival, "survival", "no exception, crash or endless loop"},
+                 "step by step the answers and the surface of tightflip's kernel", no_flip},
+    PropertyName{KernelProperty::survival, "survival", "no exception, crash or endless loop",
+                 no_flip},
 };
+static_assert(property_names.size() == Questions{}.size());
+
 }  // namespace
 
 std::string_view name(KernelProperty property) noexcept {
@@ -68,6 +79,10 @@ std::string_view name(KernelProperty property) noexcept {
 
 std::string_view describe(KernelProperty property) noexcept {
     return property_names[static_cast<std::size_t>(property)].words;
+}
+
+std::string_view why_not_asked(KernelProperty property) noexcept {
+    return property_names[static_cast<std::size_t>(property)].why_not_asked;
 }
 
 std::string_view name(KernelCode code) noexcept {

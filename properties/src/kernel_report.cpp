@@ -1,46 +1,47 @@
-#include <tightflip/kernel/file_io.hpp>
 #include <tightflip/properties/kernel_report.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <ostream>
 
 namespace tightflip::properties {
+namespace {
+
+bool is_in_question(std::span<const KernelFinding> findings, KernelProperty property) {
+    return std::ranges::any_of(findings, [&](const KernelFinding& finding) {
+        return property_of(finding.code) == property;
+    });
+}
+
+}  // namespace
 
 std::string describe(const KernelFinding& finding) {
     std::string text = std::to_string(static_cast<int>(finding.code)) + " " +
-                       std::string(name(finding.code)) + ", " + finding.start + ", step " +
+                       std::string(name(finding.code)) +
+                       (finding.start.empty() ? "" : ", " + finding.start) + ", step " +
                        std::to_string(finding.step) + ": " + finding.words;
     if (finding.script.empty()) return text;
     text += "; script";
     for (const Edge e : finding.script)
         text += " " + std::to_string(e.id);
+    if (finding.laws) text += ", each flip taken back and repeated";
     return text;
 }
 
+std::size_t KernelReport::flips() const noexcept {
+    return asked[static_cast<std::size_t>(KernelProperty::survival)];
+}
+
 bool KernelReport::was_asked(KernelProperty property) const noexcept {
-    return std::ranges::find(asked, property) != asked.end();
+    return asked[static_cast<std::size_t>(property)] > 0 || is_in_question(findings, property);
 }
 
 bool KernelReport::holds(KernelProperty property) const noexcept {
-    return std::ranges::none_of(findings, [&](const KernelFinding& finding) {
-        return property_of(finding.code) == property;
-    });
+    return was_asked(property) && !is_in_question(findings, property);
 }
 
 const KernelFinding* KernelReport::find(KernelCode code) const noexcept {
     const auto found = std::ranges::find(findings, code, &KernelFinding::code);
     return found == findings.end() ? nullptr : &*found;
-}
-
-std::filesystem::path write_log(const std::filesystem::path& directory, const std::string& kernel,
-                                const KernelFinding& finding) {
-    std::string stem;
-    for (const char c : kernel + "_" + std::string(name(finding.code)))
-        stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    auto path = directory / (stem + ".flips");
-    kernel::write_file(path, [&](std::ostream& out) { write_text(out, *finding.log); });
-    return path;
 }
 
 void write_markdown(std::ostream& out, std::span<const KernelReport> reports) {

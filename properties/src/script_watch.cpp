@@ -3,9 +3,11 @@
 #include "nth.hpp"
 #include <tightflip/kernel/build.hpp>
 #include <tightflip/kernel/surface_equality.hpp>
+#include <tightflip/properties/child_process.hpp>
 #include <tightflip/properties/invariants.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace tightflip::properties {
 namespace {
@@ -13,24 +15,16 @@ namespace {
 /// The kernel, what is known of it, and this library's kernel beside it.
 class ScriptWatch {
 public:
-    /// `tell` hears of findings as they are made.
     ScriptWatch(const KernelDescription& kernel, const Triangulation& start,
-                std::function<void(const KernelFinding&)> tell)
-        : kernel_(kernel), start_(start), tell_(std::move(tell)), log_{start, {}} {}
+                std::span<const Edge> script, bool laws, std::function<void(const ScriptRun&)> tell)
+        : kernel_(kernel), start_(start), script_(script), laws_(laws), tell_(std::move(tell)) {}
 
-    ScriptRun run(std::span<const Edge> script, bool laws) {
-        try {
-            if (begin()) follow(script, laws);
-        } catch (const std::exception& error) {
-            add(KernelCode::threw, error.what());
-        } catch (...) {
-            add(KernelCode::threw, "something that is no std::exception");
-        }
-        for (KernelFinding& finding : run_.findings) {
-            finding.script.assign(script.begin(),
-                                  script.begin() + static_cast<std::ptrdiff_t>(
-                                                       std::min(finding.step, script.size())));
-        }
+    ScriptRun run() {
+        const auto thrown = thrown_by([&] {
+            if (begin()) follow();
+        });
+        if (thrown) add(KernelCode::threw, *thrown);
+        if (tell_) tell_(run_);
         return std::move(run_);
     }
 
@@ -39,14 +33,12 @@ private:
         if (std::ranges::find(run_.findings, code, &KernelFinding::code) != run_.findings.end()) {
             return;
         }
-        run_.findings.push_back({.code = code,
-                                 .start = {},
-                                 .step = step_,
-                                 .words = std::move(words),
-                                 .script = {},
-                                 .log = log_});
-        if (tell_) tell_(run_.findings.back());
+        run_.findings.push_back(finding_at(code, std::move(words), run_, start_, script_, laws_));
+        if (tell_) tell_(run_);
     }
+
+    /// The property is being put to the test.
+    void ask(KernelProperty property) { ++run_.asked[static_cast<std::size_t>(property)]; }
 
     // ---- the start ----
 
@@ -71,13 +63,19 @@ private:
         std::optional<std::vector<Index>> image;  // the kernel's side at each of our halfedges
         while (!image && anchor < tables_.size())
             image = isomorphism(given, 0, tables_, anchor++);
-        side_at_ = *image;
-        our_side_.resize(side_at_.size());
-        for (std::size_t h = 0; h < side_at_.size(); ++h)
-            nth(our_side_, side_at_[h]) = static_cast<Index>(h);
+        our_side_.resize(image->size());
+        match(*image);
+        ask(KernelProperty::reading);
         judge_counts();
         judge_validator(judgement);
         return true;
+    }
+
+    /// The kernel's sides have these places among ours.
+    void match(const std::vector<Index>& side_at) {
+        side_at_ = side_at;
+        for (std::size_t h = 0; h < side_at.size(); ++h)
+            nth(our_side_, side_at[h]) = static_cast<Index>(h);
     }
 
     static Gluing gluing_of(const Triangulation& surface) {
@@ -112,6 +110,7 @@ private:
 
     void judge_validator(const Judgement& judgement) {
         const bool says_valid = mesh_->is_valid();
+        if (!judgement.is_valid()) ask(KernelProperty::validator);
         if (says_valid == judgement.is_valid()) return;
         if (says_valid) {
             add(KernelCode::invalid_accepted, "its validator passes this: " + judgement.fault);
@@ -122,25 +121,35 @@ private:
 
     // ---- the flips ----
 
-    void follow(std::span<const Edge> script, bool laws) {
-        for (const Edge e : script) {
-            ++step_;
+    void follow() {
+        for (const Edge e : script_) {
+            ++run_.step;
             const Index side = nth(side_at_, halfedge_of(e).id);
-            if (!answer_is_right(side)) continue;
+            if (!judged_answer(side)) {
+                if (ours_) run_.flips.pop_back();
+                continue;
+            }
             const SideTables before = tables_;
             Index turned = side;  // a side of the flipped edge after the flip
             if (!flip_and_judge(side, turned)) return;
-            if (laws && !obeys_laws(before, side, turned)) return;
+            if (laws_ && !obeys_laws(before, side, turned)) return;
         }
     }
 
-    /// The kernel's yes, after it was judged.
-    bool answer_is_right(Index side) {
+    /// The kernel's yes or no. From here on the log ends in this edge.
+    bool answer(Index side) {
+        if (ours_) run_.flips.push_back(our_edge(side));
+        if (tell_) tell_(run_);
+        return mesh_->can_flip(side);
+    }
+
+    bool judged_answer(Index side) {
         SideTables expected = tables_;
         const bool defined = flip_by_definition(expected, side);
         const std::string fault =
             defined ? judge(expected, kernel_.allowed).fault : "one face has both its sides";
-        const bool yes = mesh_->can_flip(side);
+        const bool yes = answer(side);
+        ask(KernelProperty::legality);
         const std::string edge = edge_in_words(side);
         if (yes && !fault.empty()) {
             add(KernelCode::invalid_flip_allowed,
@@ -159,20 +168,22 @@ private:
         return yes;
     }
 
-    /// False where following makes no sense any more.
+    /// After a yes. False where following makes no sense any more.
     bool flip_and_judge(Index side, Index& turned) {
         const SideTables before = tables_;
         const auto around = sides_around(before, side);
         SideTables expected = before;
         flip_by_definition(expected, side);
-        flip_ours(side);
+        if (ours_ && !ours_->flip(run_.flips.back())) ours_.reset();  // beyond our class
         mesh_->flip(side);
+        ask(KernelProperty::survival);
         if (!read()) return false;
         const Judgement judgement = judge(tables_, kernel_.allowed);
         judge_validator(judgement);
         judge_counts();
         if (around) {
             judge_locality(before, *around);
+            ask(KernelProperty::definition);
             const auto image = image_of(expected, *around);
             if (!image) {
                 add(KernelCode::not_the_flip, "edge " + edge_in_words(before, side) +
@@ -182,7 +193,7 @@ private:
                 turned = nth(*image, side);
                 judge_handles(*image, *around);
             }
-            if (ours_) judge_agreement(before, *around);
+            if (ours_) judge_agreement(*around);
         }
         judge_topology(judgement);
         return around && judgement.is_valid();
@@ -190,20 +201,15 @@ private:
 
     void judge_topology(const Judgement& judgement) {
         kernel::Topology now = judgement.topology;
-        if (now.faces == 0) return;                              // not even faces
+        if (now.faces == 0) return;  // not even faces
+        ask(KernelProperty::topology);
         if (!judgement.is_valid()) now.genus = topology_.genus;  // has none
         const std::vector<Violation> changed = changes(topology_, now);
         if (!changed.empty()) add(KernelCode::topology_changed, message(changed.front()));
     }
 
-    void flip_ours(Index side) {
-        if (!ours_) return;
-        const Edge e = our_edge(side);
-        log_.flips.push_back(e);
-        if (!ours_->flip(e)) ours_.reset();  // beyond our class
-    }
-
     void judge_locality(const SideTables& before, const std::array<Index, 6>& around) {
+        ask(KernelProperty::locality);
         const auto inside = [&](Index s) { return std::ranges::find(around, s) != around.end(); };
         for (Index s = 0; s < before.size(); ++s) {
             if (inside(s)) continue;
@@ -219,22 +225,33 @@ private:
         }
     }
 
-    /// Where the sides of the expected tables are in the kernel now.
+    /// Where the sides of the expected tables are in the kernel now, when the side s was `names[s]`
+    /// there: if it can be, with a side outside the two faces where it was.
     std::optional<std::vector<Index>> image_of(const SideTables& expected,
+                                               const std::vector<Index>& names,
                                                const std::array<Index, 6>& around) const {
+        const auto image = [&](Index from, Index to) {
+            return isomorphism(expected, nth(names, from), tables_, to);
+        };
         for (Index s = 0; s < expected.size(); ++s) {
-            if (std::ranges::find(around, s) == around.end()) {
-                return isomorphism(expected, s, tables_, s);
-            }
+            if (std::ranges::find(around, s) != around.end()) continue;
+            if (auto found = image(s, s)) return found;
         }
-        for (const Index s : around) {  // there are no other faces
-            if (auto image = isomorphism(expected, around[0], tables_, s)) return image;
+        for (Index to = 0; to < expected.size(); ++to) {
+            if (auto found = image(around[0], to)) return found;
         }
         return std::nullopt;
+    }
+    std::optional<std::vector<Index>> image_of(const SideTables& expected,
+                                               const std::array<Index, 6>& around) const {
+        std::vector<Index> same(expected.next.size());
+        std::iota(same.begin(), same.end(), 0);
+        return image_of(expected, same, around);
     }
 
     void judge_handles(const std::vector<Index>& image, const std::array<Index, 6>& around) {
         if (!kernel_.keeps_sides) return;
+        ask(KernelProperty::handles);
         const auto [s, s1, s2, t, t1, t2] = around;
         for (const Index outer : {s1, s2, t1, t2}) {
             if (nth(image, outer) == outer) continue;
@@ -246,28 +263,16 @@ private:
         }
     }
 
-    void judge_agreement(const SideTables& before, const std::array<Index, 6>& around) {
-        const SideTables ours = side_tables(*ours_);
-        std::optional<std::vector<Index>> image;
-        const auto outside = [&](Index s) { return std::ranges::find(around, s) == around.end(); };
-        for (Index s = 0; s < before.size() && !image; ++s) {
-            if (outside(s)) {
-                image = isomorphism(ours, nth(our_side_, s), tables_, s);
-                break;
-            }
-        }
-        if (!image && before.size() == 6) {
-            for (Index s = 0; s < before.size() && !image; ++s)
-                image = isomorphism(ours, 0, tables_, s);
-        }
+    void judge_agreement(const std::array<Index, 6>& around) {
+        ask(KernelProperty::agreement);
+        const auto image = image_of(side_tables(*ours_), our_side_, around);
         if (!image) {
             add(KernelCode::surface_differs_from_ours,
                 "after the same flips this library's kernel has another surface");
             ours_.reset();
             return;
         }
-        for (std::size_t h = 0; h < image->size(); ++h)
-            nth(our_side_, (*image)[h]) = static_cast<Index>(h);
+        match(*image);
     }
 
     // ---- the laws ----
@@ -276,12 +281,13 @@ private:
     bool obeys_laws(const SideTables& before, Index side, Index turned) {
         const SideTables once = tables_;
         for (int n = 2; n <= 5; ++n) {
-            if (!mesh_->can_flip(turned)) {
+            if (!answer(turned)) {
                 add(KernelCode::flip_back_refused,
                     "the edge just flipped may not be flipped again");
                 return false;
             }
             if (!flip_and_judge(turned, turned)) return false;
+            if (n == 2) ask(KernelProperty::inverse);
             if (n == 2 && !same_surface(before, side)) {
                 add(KernelCode::flip_back_differs, "two flips of one edge change the surface");
                 return false;
@@ -315,24 +321,37 @@ private:
 
     const KernelDescription& kernel_;
     const Triangulation& start_;
-    std::function<void(const KernelFinding&)> tell_;
-    kernel::FlipLog log_;
+    std::span<const Edge> script_;
+    bool laws_;
+    std::function<void(const ScriptRun&)> tell_;
     ScriptRun run_;
-    std::size_t step_ = 0;  // flips attempted
     std::unique_ptr<KernelUnderTest> mesh_;
     SideTables tables_;  // of the mesh, as it is now
     kernel::Topology topology_;
     std::optional<Triangulation> ours_;  // empty once the script has left our class
-    std::vector<Index> side_at_;         // the kernel's side at each halfedge of the start
-    std::vector<Index> our_side_;        // our halfedge at each side of the kernel, now
+    // Now, or when the script left our class:
+    std::vector<Index> side_at_;   // the kernel's side at each of our halfedges
+    std::vector<Index> our_side_;  // our halfedge at each side of the kernel
 };
 
 }  // namespace
 
 ScriptRun watch_script(const KernelDescription& kernel, const Triangulation& start,
                        std::span<const Edge> script, bool laws,
-                       std::function<void(const KernelFinding&)> tell) {
-    return ScriptWatch(kernel, start, std::move(tell)).run(script, laws);
+                       std::function<void(const ScriptRun&)> tell) {
+    return ScriptWatch(kernel, start, script, laws, std::move(tell)).run();
+}
+
+KernelFinding finding_at(KernelCode code, std::string words, const ScriptRun& run,
+                         const Triangulation& start, std::span<const Edge> script, bool laws) {
+    const auto asked = script.first(std::min(run.step, script.size()));
+    return {.code = code,
+            .start = {},
+            .step = run.step,
+            .words = std::move(words),
+            .script = FlipScript(asked.begin(), asked.end()),
+            .laws = laws,
+            .log = kernel::FlipLog{start, run.flips}};
 }
 
 }  // namespace tightflip::properties

@@ -1,17 +1,12 @@
 // The suite, judged by kernels of which it is known what is wrong with them.
-#include <tightflip/kernel/build.hpp>
+#include "naive_kernel.hpp"
 #include <tightflip/kernel/families.hpp>
-#include <tightflip/kernel/file_io.hpp>
-#include <tightflip/properties/child_process.hpp>
 #include <tightflip/properties/conformance.hpp>
 #include <tightflip/properties/generators.hpp>
 #include <tightflip/properties/invariants.hpp>
 
 #include <algorithm>
-#include <csignal>
-#include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,165 +16,14 @@ namespace {
 
 namespace families = kernel::families;
 
-enum class Fault {
-    none,
-    start_misread,
-    lists_more_sides,
-    miscounts,
-    miscounts_after_flips,
-    changes_a_far_label,
-    tears_a_side,
-    forgets_a_label,
-    swaps_outer_sides,
-    flips_once_only,
-    second_flip_differs,
-    exchanges_four_times,
-    allows_all,
-    refuses_all,
-    validates_all,
-    validates_nothing,
-    overlooks_origins,
-    overlooks_nexts,
-    overlooks_neighbours,
-    throws,
-    crashes,
-    hangs,
-    validator_hangs_on_damage,
-};
-
-void exchange(SideTables& tables, Index a, Index b) {  // two sides swap their numbers
-    const auto renamed = [&](Index s) { return s == a ? b : s == b ? a : s; };
-    SideTables now = tables;
-    for (Index s = 0; s < tables.size(); ++s) {
-        const auto from = static_cast<std::size_t>(s);
-        const auto to = static_cast<std::size_t>(renamed(s));
-        now.next[to] = renamed(tables.next[from]);
-        now.across[to] = renamed(tables.across[from]);
-        now.origin[to] = tables.origin[from];
-    }
-    tables = std::move(now);
-}
-
-/// A naive kernel with one fault.
-template <Fault fault, KernelClass kernel_class = KernelClass::loopless>
-struct Naive {
-    static constexpr std::string_view name = "naive";
-    static constexpr KernelClass allowed = kernel_class;
-    using Side = Index;
-
-    Naive(Index vertices, std::span<const std::array<Index, 3>> faces)
-        : Naive(kernel::build(faces, vertices).value()) {}
-    explicit Naive(const Gluing& gluing) : Naive(kernel::build(gluing).value()) {}
-    explicit Naive(const Triangulation& surface) : tables(side_tables(surface)) {
-        if (fault == Fault::start_misread) flip_by_definition(tables, 0);
-    }
-
-    [[nodiscard]] std::array<Index, 3> counts() const {
-        Index edges = tables.size() / 2;
-        if (fault == Fault::miscounts) ++edges;
-        if (fault == Fault::miscounts_after_flips) edges += flips;
-        return {tables.vertex_count, edges, tables.size() / 3};
-    }
-    [[nodiscard]] std::vector<Side> sides() const {
-        std::vector<Side> all;
-        for (Index s = 0; s < tables.size(); ++s)
-            all.push_back(s);
-        if (fault == Fault::lists_more_sides && flips > 1) all.push_back(tables.size());
-        return all;
-    }
-    [[nodiscard]] Side next(Side s) const { return tables.next[index(s)]; }
-    [[nodiscard]] Side across(Side s) const { return tables.across[index(s)]; }
-    [[nodiscard]] Index origin(Side s) const { return tables.origin[index(s)]; }
-    [[nodiscard]] bool can_flip(Side s) const {
-        if (fault == Fault::allows_all) return true;
-        if (fault == Fault::refuses_all) return false;
-        if (fault == Fault::flips_once_only && s == last) return false;
-        SideTables after = tables;
-        return flip_by_definition(after, s) && judge(after, allowed).is_valid();
-    }
-    void flip(Side s) {
-        const auto around = sides_around(tables, s);
-        if (!around) return;
-        const auto [h, h1, h2, t, t1, t2] = *around;
-        if (!flip_by_definition(tables, s)) return;
-        ++flips;
-        if (fault == Fault::second_flip_differs && s == last) flip_by_definition(tables, h1);
-        last = s;
-        switch (fault) {
-            case Fault::changes_a_far_label:
-                spoil_far_label(*around);
-                break;
-            case Fault::tears_a_side:
-                tables.across[index(h2)] = h2;
-                break;
-            case Fault::forgets_a_label:
-                tables.origin[index(h)] = tables.origin[index(h1)];
-                break;
-            case Fault::swaps_outer_sides:
-                exchange(tables, h1, t1);
-                break;
-            case Fault::exchanges_four_times:
-                if (flips % 4 == 0) exchange(tables, h, t);
-                break;
-            case Fault::throws:
-                if (flips == 3) throw std::runtime_error("out of sorts");
-                break;
-            case Fault::crashes:
-                if (flips == 3) std::raise(SIGSEGV);
-                break;
-            case Fault::hangs:
-                while (flips == 3) {
-                    volatile int forever = 0;
-                    static_cast<void>(forever);
-                }
-                break;
-            default:
-                break;
-        }
-    }
-    [[nodiscard]] bool is_valid() const {
-        while (fault == Fault::validator_hangs_on_damage && damaged) {
-            volatile int forever = 0;
-            static_cast<void>(forever);
-        }
-        if (fault == Fault::validates_all || overlooked) return true;
-        return fault != Fault::validates_nothing && judge(tables, allowed).is_valid();
-    }
-
-    void set_origin(Side s, Index v) {
-        damaged = true;
-        overlooked = fault == Fault::overlooks_origins;
-        tables.origin[index(s)] = v;
-    }
-    void set_next(Side s, Side wrong) {
-        damaged = true;
-        overlooked = fault == Fault::overlooks_nexts;
-        tables.next[index(s)] = wrong;
-    }
-    void set_across(Side s, Side wrong) {
-        damaged = true;
-        overlooked = fault == Fault::overlooks_neighbours;
-        tables.across[index(s)] = wrong;
-    }
-
-    static std::size_t index(Side s) { return static_cast<std::size_t>(s); }
-    void spoil_far_label(const std::array<Index, 6>& around) {
-        for (Side s = 0; s < tables.size(); ++s) {
-            if (std::ranges::find(around, s) != around.end()) continue;
-            tables.origin[index(s)] = (tables.origin[index(s)] + 1) % tables.vertex_count;
-            return;
-        }
-    }
-
-    SideTables tables;
-    Index flips = 0;
-    Side last = -1;
-    bool damaged = false;
-    bool overlooked = false;
-};
-
-ConformanceOptions quick() {
+ConformanceOptions isolated() {
     return {.scripts = 2, .flips = 30, .seed = 5, .isolate = true, .seconds = 1, .most_hangs = 1};
+}
+/// For kernels that neither crash nor hang.
+ConformanceOptions quick() {
+    ConformanceOptions options = isolated();
+    options.isolate = false;
+    return options;
 }
 
 std::vector<KernelCode> codes(const KernelReport& report) {
@@ -189,13 +33,22 @@ std::vector<KernelCode> codes(const KernelReport& report) {
     return found;
 }
 
-template <Fault fault, KernelClass allowed = KernelClass::loopless>
+template <Fault fault, KernelClass allowed = KernelClass::loopless, Offers offers = Offers{}>
 KernelReport test_naive(const ConformanceOptions& options = quick()) {
-    return test_kernel(kernel_description<Naive<fault, allowed>>(), options);
+    return test_kernel(kernel_description<Naive<fault, allowed, offers>>(), options);
+}
+
+/// The properties said to hold.
+std::vector<KernelProperty> held(const KernelReport& report) {
+    std::vector<KernelProperty> properties;
+    std::ranges::copy_if(all_kernel_properties(), std::back_inserter(properties),
+                         [&](KernelProperty property) { return report.holds(property); });
+    return properties;
 }
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -205,8 +58,50 @@ TEST(Conformance, FindsNothingWrongWithAKernelThatIsRightInAnyClass) {
     EXPECT_THAT(codes(test_naive<Fault::none, KernelClass::delta_complex>()), IsEmpty());
 }
 
+TEST(Conformance, SaysThatAPropertyHoldsOnlyWhereItWasPutToTheTest) {
+    using enum KernelProperty;
+    EXPECT_THAT(held(test_naive<Fault::none>()), ElementsAreArray(all_kernel_properties()));
+    EXPECT_THAT(held(test_naive<Fault::cannot_be_made>()), IsEmpty());
+    EXPECT_THAT(held(test_naive<Fault::lists_no_sides>()), IsEmpty());
+    EXPECT_THAT(held(test_naive<Fault::start_misread>()), IsEmpty());
+    EXPECT_THAT(held(test_naive<Fault::refuses_all>()), ElementsAre(reading, validator));
+    EXPECT_THAT(held(test_naive<Fault::throws_no_exception>()),
+                ElementsAre(reading, legality, validator));
+
+    constexpr Offers undamaged{.origins = false, .nexts = false, .neighbours = false};
+    constexpr Offers unpromised{.keeps_sides = false};
+    const auto without = [](KernelProperty missing) {
+        std::vector<KernelProperty> others(all_kernel_properties().begin(),
+                                           all_kernel_properties().end());
+        others.erase(std::ranges::find(others, missing));
+        return others;
+    };
+    EXPECT_THAT(held(test_naive<Fault::none, KernelClass::delta_complex, undamaged>()),
+                ElementsAreArray(without(validator)));
+    EXPECT_THAT(held(test_naive<Fault::none, KernelClass::loopless, unpromised>()),
+                ElementsAreArray(without(handles)));
+}
+
+TEST(Conformance, CountsFlipsThatWereDone) {
+    const KernelReport refused = test_naive<Fault::refuses_all>();
+    EXPECT_EQ(refused.flips(), 0U);
+    EXPECT_TRUE(refused.was_asked(KernelProperty::agreement));  // 901 was found
+    EXPECT_FALSE(refused.was_asked(KernelProperty::survival));
+
+    const FlipScript script{{0}, {0}, {1}};
+    const auto start = families::tetrahedron();
+    const auto kernel = kernel_description<Naive<Fault::none>>();
+    const auto flips = [](const ScriptRun& run) {
+        return run.asked[static_cast<std::size_t>(KernelProperty::survival)];
+    };
+    EXPECT_EQ(flips(run_script(kernel, start, script, false)), 3U);
+    EXPECT_EQ(flips(run_script(kernel, start, script, true)), 15U);
+}
+
 TEST(Conformance, FindsWhatIsWrongWithTheReading) {
     EXPECT_THAT(codes(test_naive<Fault::start_misread>()), ElementsAre(KernelCode::start_differs));
+    EXPECT_THAT(codes(test_naive<Fault::lists_sides_of_tetrahedra_only>()),
+                ElementsAre(KernelCode::start_differs));
     EXPECT_THAT(codes(test_naive<Fault::lists_more_sides>()),
                 ElementsAre(KernelCode::sides_unreadable));
     EXPECT_THAT(codes(test_naive<Fault::miscounts>()), ElementsAre(KernelCode::counts_differ));
@@ -221,6 +116,8 @@ TEST(Conformance, FindsWhatIsWrongWithTheFlip) {
     EXPECT_THAT(codes(test_naive<Fault::forgets_a_label>()),
                 ElementsAre(KernelCode::topology_changed, KernelCode::not_the_flip,
                             KernelCode::surface_differs_from_ours));
+    EXPECT_THAT(codes(test_naive<Fault::turns_a_far_face>()),
+                ElementsAre(KernelCode::changed_elsewhere, KernelCode::four_flips_differ));
     EXPECT_THAT(codes(test_naive<Fault::swaps_outer_sides>()), Contains(KernelCode::side_moved));
     EXPECT_THAT(codes(test_naive<Fault::tears_a_side>()), Contains(KernelCode::topology_changed));
 }
@@ -250,15 +147,52 @@ TEST(Conformance, FindsUntruthfulAnswers) {
 TEST(Conformance, FindsUntruthfulValidators) {
     EXPECT_THAT(codes(test_naive<Fault::validates_nothing>()),
                 ElementsAre(KernelCode::valid_rejected));
-    EXPECT_THAT(codes(test_naive<Fault::validates_all>()),
-                ElementsAre(KernelCode::wrong_origin_accepted, KernelCode::wrong_next_accepted,
-                            KernelCode::wrong_across_accepted));
-    EXPECT_THAT(codes(test_naive<Fault::overlooks_origins>()),
-                ElementsAre(KernelCode::wrong_origin_accepted));
+    EXPECT_THAT(
+        codes(test_naive<Fault::validates_all>()),
+        ElementsAre(KernelCode::wrong_origin_accepted, KernelCode::wrong_next_accepted,
+                    KernelCode::wrong_across_accepted, KernelCode::forbidden_edge_accepted));
+    // Whose entries were set passes, with a forbidden edge too.
+    EXPECT_THAT(
+        codes(test_naive<Fault::overlooks_origins>()),
+        ElementsAre(KernelCode::wrong_origin_accepted, KernelCode::forbidden_edge_accepted));
     EXPECT_THAT(codes(test_naive<Fault::overlooks_nexts>()),
-                ElementsAre(KernelCode::wrong_next_accepted));
-    EXPECT_THAT(codes(test_naive<Fault::overlooks_neighbours>()),
-                ElementsAre(KernelCode::wrong_across_accepted));
+                ElementsAre(KernelCode::wrong_next_accepted, KernelCode::forbidden_edge_accepted));
+    EXPECT_THAT(
+        codes(test_naive<Fault::overlooks_neighbours>()),
+        ElementsAre(KernelCode::wrong_across_accepted, KernelCode::forbidden_edge_accepted));
+}
+
+/// What a validator is said of that overlooks what its class forbids.
+template <KernelClass allowed, Offers offers>
+std::string passed_by_lax_validator() {
+    const KernelReport report = test_naive<Fault::overlooks_forbidden_edges, allowed, offers>();
+    const KernelFinding* const finding = report.find(KernelCode::forbidden_edge_accepted);
+    return finding == nullptr ? "" : finding->words;
+}
+
+TEST(Conformance, PlantsEdgesThatTheClassForbids) {
+    using enum KernelClass;
+    constexpr Offers by_nexts{.gluings = false, .neighbours = false};
+    constexpr Offers by_neighbours{.gluings = false, .nexts = false};
+    constexpr Offers by_gluing{.origins = false, .nexts = false, .neighbours = false};
+    const auto parallel = HasSubstr("forbidden edge planted at side 0 (there are parallel edges)");
+    EXPECT_THAT((passed_by_lax_validator<simple, by_nexts>()), parallel);
+    EXPECT_THAT((passed_by_lax_validator<simple, by_neighbours>()), parallel);
+    EXPECT_THAT((passed_by_lax_validator<simple, by_gluing>()), parallel);
+    const auto loop = HasSubstr("are not distinct)");
+    EXPECT_THAT((passed_by_lax_validator<loopless, by_nexts>()), loop);
+    EXPECT_THAT((passed_by_lax_validator<loopless, by_neighbours>()), loop);
+    EXPECT_THAT((passed_by_lax_validator<delta_complex, by_nexts>()), IsEmpty());
+
+    constexpr Offers by_origins{.gluings = false, .nexts = false, .neighbours = false};
+    EXPECT_THAT((passed_by_lax_validator<simple, by_origins>()), IsEmpty());  // no way to plant
+}
+
+TEST(Conformance, AsksTheValidatorOfAKernelThatCannotBeReadAnyMore) {
+    const KernelReport report = test_naive<Fault::cannot_be_read_when_damaged>();
+    EXPECT_THAT(codes(report), IsEmpty());
+    EXPECT_TRUE(report.holds(KernelProperty::validator));
+    EXPECT_GE(report.planted, 3U * 12U);
 }
 
 TEST(Conformance, GoesOnWhereAKernelThrowsCrashesOrHangs) {
@@ -267,33 +201,35 @@ TEST(Conformance, GoesOnWhereAKernelThrowsCrashesOrHangs) {
     EXPECT_EQ(thrown.findings[0].words, "out of sorts");
     EXPECT_EQ(thrown.findings[0].script.size(), 3U);
 
-    const KernelReport crashed = test_naive<Fault::crashes>();
+    const KernelReport crashed = test_naive<Fault::crashes>(isolated());
     ASSERT_THAT(codes(crashed), ElementsAre(KernelCode::crashed_or_hung));
     EXPECT_THAT(crashed.findings[0].words, HasSubstr("signal 11"));
-    EXPECT_LE(crashed.findings[0].script.size(), 3U);
+    EXPECT_EQ(crashed.findings[0].step, 3U);
+    EXPECT_EQ(crashed.findings[0].log->flips.size(), 3U);
 
-    const KernelReport hung = test_naive<Fault::validator_hangs_on_damage>();
+    const KernelReport gone = test_naive<Fault::exits>(isolated());
+    ASSERT_THAT(codes(gone), ElementsAre(KernelCode::crashed_or_hung));
+    EXPECT_THAT(gone.findings[0].words, HasSubstr("ended its process with exit code"));
+
+    const KernelReport hung = test_naive<Fault::validator_hangs_on_damage>(isolated());
     ASSERT_THAT(codes(hung), ElementsAre(KernelCode::crashed_or_hung_on_damage));
     EXPECT_THAT(hung.findings[0].words, HasSubstr("did not answer within 1 s"));
 }
 
-TEST(ChildProcess, IsEndedWhenItsTimeIsUp) {
-    const Triangulation start = families::tetrahedron();
-    const FlipScript script{{0}, {0}, {0}};
-    const ChildResult child = run_in_child(
-        [&](const ChildOutput& write) {
-            write("begun");
-            static_cast<void>(
-                run_script(kernel_description<Naive<Fault::hangs>>(), start, script, false));
-            write("done");
-        },
-        1);
-    EXPECT_TRUE(child.timed_out);
-    EXPECT_EQ(child.output, "begun");
+TEST(Conformance, TellsWhatAValidatorThrowsWithAndWithoutChildProcesses) {
+    ConformanceOptions options = quick();
+    for (const bool isolate : {true, false}) {
+        options.isolate = isolate;
+        const KernelReport report = test_naive<Fault::validator_throws_on_damage>(options);
+        ASSERT_THAT(codes(report), ElementsAre(KernelCode::crashed_or_hung_on_damage));
+        EXPECT_THAT(report.findings[0].words,
+                    HasSubstr("its validator threw: something that is no std::exception"));
+    }
 }
 
-TEST(Conformance, ShrinksScriptsAndLeavesLogsThatReplay) {
-    const KernelReport report = test_naive<Fault::allows_all>();
+TEST(Conformance, ShrinksScriptsAndLeavesLogsThatEndInTheGuiltyEdge) {
+    const auto kernel = kernel_description<Naive<Fault::allows_all>>();
+    const KernelReport report = test_kernel(kernel, quick());
     const KernelFinding* const finding = report.find(KernelCode::invalid_flip_allowed);
     ASSERT_NE(finding, nullptr);
     EXPECT_EQ(finding->start, "tetrahedron V=4");
@@ -301,32 +237,61 @@ TEST(Conformance, ShrinksScriptsAndLeavesLogsThatReplay) {
     EXPECT_EQ(finding->step, 2U);
     EXPECT_THAT(describe(*finding), HasSubstr("701 invalid_flip_allowed, tetrahedron V=4, step 2"));
 
-    const auto directory = std::filesystem::path(::testing::TempDir());
-    const auto path = write_log(directory, "a naive kernel", *finding);
-    EXPECT_EQ(path.filename(), "a_naive_kernel_invalid_flip_allowed.flips");
-    const kernel::FlipLog log = kernel::parse_flip_log(kernel::read_file(path), path.string());
-    EXPECT_TRUE(replay(log).is_complete());
-    EXPECT_EQ(log.flips.size(), 1U);  // up to the answer
-    std::filesystem::remove(path);
+    EXPECT_EQ(finding->log->flips, finding->script);
+    EXPECT_EQ(replay(*finding->log).done, 1U);  // and then it makes a loop
+
+    const KernelReport careful = test_naive<Fault::refuses_all>();
+    const KernelFinding* const refused = careful.find(KernelCode::valid_flip_refused);
+    ASSERT_NE(refused, nullptr);
+    EXPECT_EQ(refused->log->flips, refused->script);
+    EXPECT_TRUE(replay(*refused->log).is_complete());
+    EXPECT_EQ(refused->log->flips.size(), 1U);
+}
+
+TEST(Conformance, KeepsRefusedEdgesOutOfLogs) {
+    const auto kernel = kernel_description<Naive<Fault::throws, KernelClass::simple>>();
+    const Triangulation start = families::double_wheel(6);
+    const FlipScript script{{0}, {1}, {1}, {2}, {3}, {4}, {5}, {6}};
+    const ScriptRun run = run_script(kernel, start, script, false);
+    ASSERT_EQ(run.findings.size(), 1U);
+    const KernelFinding& finding = run.findings[0];
+    EXPECT_EQ(finding.log->flips.size(), 3U);
+    EXPECT_GT(finding.script.size(), 3U);
+    EXPECT_TRUE(replay(*finding.log).is_complete());
+}
+
+TEST(Conformance, ReadsScriptsInTheNumbersOfItsOwnKernel) {
+    constexpr Offers moving{.keeps_sides = false};
+    const auto moves =
+        kernel_description<Naive<Fault::swaps_outer_sides, KernelClass::loopless, moving>>();
+    const Triangulation start = families::double_wheel(6);
+    kernel::RandomStream random(3);
+    const FlipScript script = random_script(start, 60, random);
+    EXPECT_THAT(run_script(moves, start, script, true).findings, IsEmpty());
+
+    Triangulation ours = start;
+    FlipScript done;
+    std::ranges::copy_if(script, std::back_inserter(done),
+                         [&](Edge e) { return static_cast<bool>(ours.flip(e)); });
+    EXPECT_EQ(run_script(moves, start, script, false).flips, done);
 }
 
 TEST(Conformance, FindsTheSameWithAndWithoutChildProcesses) {
-    ConformanceOptions options = quick();
-    const KernelReport apart = test_naive<Fault::allows_all>(options);
-    options.isolate = false;
-    const KernelReport here = test_naive<Fault::allows_all>(options);
+    const KernelReport apart = test_naive<Fault::allows_all>(isolated());
+    const KernelReport here = test_naive<Fault::allows_all>(quick());
     ASSERT_EQ(codes(apart), codes(here));
     for (std::size_t i = 0; i < here.findings.size(); ++i) {
         EXPECT_EQ(describe(apart.findings[i]), describe(here.findings[i]));
         EXPECT_EQ(apart.findings[i].log, here.findings[i].log);
     }
-    EXPECT_EQ(apart.flips, here.flips);
+    EXPECT_EQ(apart.asked, here.asked);
 }
 
 TEST(Conformance, WritesATableOfKernelsAndProperties) {
-    KernelReport good = test_naive<Fault::none>();
-    good.asked.erase(std::ranges::find(good.asked, KernelProperty::handles));
-    const std::vector<KernelReport> reports{good, test_naive<Fault::refuses_all>()};
+    constexpr Offers unpromised{.keeps_sides = false};
+    const std::vector<KernelReport> reports{
+        test_naive<Fault::none, KernelClass::loopless, unpromised>(),
+        test_naive<Fault::refuses_all>()};
     std::ostringstream out;
     write_markdown(out, reports);
     EXPECT_EQ(out.str(),
@@ -335,8 +300,8 @@ TEST(Conformance, WritesATableOfKernelsAndProperties) {
               "|---|---|---|---|---|---|---|---|---|---|---|---|\n"
               "| naive | loopless | holds | holds | holds | holds | holds | not asked | holds | "
               "holds | holds | holds |\n"
-              "| naive | loopless | holds | holds | holds | holds | holds | holds | 702 | holds | "
-              "901 | holds |\n");
+              "| naive | loopless | holds | not asked | not asked | not asked | not asked | "
+              "not asked | 702 | holds | 901 | not asked |\n");
 }
 
 TEST(KernelCodes, HaveNamesAndProperties) {
@@ -344,7 +309,24 @@ TEST(KernelCodes, HaveNamesAndProperties) {
     EXPECT_EQ(property_of(KernelCode::start_differs), KernelProperty::reading);
     EXPECT_EQ(property_of(KernelCode::crashed_or_hung), KernelProperty::survival);
     EXPECT_EQ(name(property_of(KernelCode::wrong_next_accepted)), "validator");
+    EXPECT_EQ(name(property_of(KernelCode::forbidden_edge_accepted)), "validator");
     EXPECT_EQ(all_kernel_properties().size(), 10U);
+    EXPECT_EQ(why_not_asked(KernelProperty::inverse), "no flip was taken back");
+}
+
+TEST(KernelFindings, NameTheirStartWhereThereIsOneAndTheLaws) {
+    KernelFinding finding{.code = KernelCode::threw,
+                          .start = {},
+                          .step = 1,
+                          .words = "no",
+                          .script = {{4}},
+                          .laws = false,
+                          .log = {}};
+    EXPECT_EQ(describe(finding), "1001 threw, step 1: no; script 4");
+    finding.start = "torus V=9";
+    finding.laws = true;
+    EXPECT_EQ(describe(finding),
+              "1001 threw, torus V=9, step 1: no; script 4, each flip taken back and repeated");
 }
 
 TEST(SideTables, FlipAsTheKernelDoes) {

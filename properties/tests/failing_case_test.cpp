@@ -1,4 +1,5 @@
 #include "failures_directory.hpp"
+#include "false_claim.hpp"
 #include <tightflip/geometry/surface_text.hpp>
 #include <tightflip/kernel/families.hpp>
 #include <tightflip/kernel/file_io.hpp>
@@ -16,15 +17,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-/// A claim that does not hold: no script flips edge 3 and later edge 1.
-std::optional<Finding> never_three_then_one(const Triangulation&, std::span<const Edge> script) {
-    const auto three = std::ranges::find(script, Edge{3});
-    const auto one = std::find(three, script.end(), Edge{1});
-    if (one == script.end()) return std::nullopt;
-    return Finding{static_cast<std::size_t>(one - script.begin()) + 1,
-                   {.code = ViolationCode::flip_law_broken}};
-}
 
 /// The same of a surface with points.
 std::optional<GeometryFinding> never_three(const geometry::Surface&, std::span<const Edge> script) {
@@ -86,6 +78,48 @@ TEST(WriteFailingCase, WritesNoPointsWhereThereAreNone) {
     write_failing_case("plain", {{kernel::families::tetrahedron(), {{1}}}, "", {}});
     EXPECT_TRUE(std::filesystem::exists(directory.path() / "plain.flips"));
     EXPECT_FALSE(std::filesystem::exists(directory.path() / "plain.surface"));
+}
+
+TEST(WriteFailingCase, MakesItsDirectory) {
+    const FailuresDirectory directory("write_failing_case_new");
+    for (const char* place : {"not/there", "slash/at/the/end/"}) {
+        FailuresDirectory::name_instead(directory.path() / place);
+        const auto path =
+            write_failing_case("new", {{kernel::families::tetrahedron(), {}}, "", {}});
+        EXPECT_EQ(path, directory.path() / place / "new.flips");
+        EXPECT_TRUE(std::filesystem::exists(path));
+    }
+}
+
+TEST(WriteFailingCase, WritesHereWhereNoDirectoryIsNamed) {
+    const FailuresDirectory directory("write_failing_case_here");
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(directory.path());
+    FailuresDirectory::name_instead("");
+    const auto path = write_failing_case("here", {{kernel::families::tetrahedron(), {}}, "", {}});
+    std::filesystem::current_path(before);
+    EXPECT_EQ(path, "./here.flips");
+    EXPECT_TRUE(std::filesystem::exists(directory.path() / "here.flips"));
+}
+
+TEST(WrittenAndInWords, SaysWhyACaseCouldNotBeWrittenBehindItsScript) {
+    const FailuresDirectory directory("written_and_in_words");
+    const auto failing =
+        failing_case(never_three_then_one, kernel::families::tetrahedron(), long_script);
+    EXPECT_EQ(written_and_in_words("case", *failing),
+              in_words(*failing) + "written to " + (directory.path() / "case.flips").string());
+
+    kernel::write_file(directory.path() / "file", [](std::ostream& out) { out << "no directory"; });
+    FailuresDirectory::name_instead(directory.path() / "file" / "inner");
+    EXPECT_THROW(write_failing_case("case", *failing), kernel::FileError);
+    EXPECT_EQ(written_and_in_words("case", *failing),
+              in_words(*failing) + "not written: " + (directory.path() / "file/inner").string() +
+                  ": cannot be made: Not a directory");
+
+    FailuresDirectory::name_instead(directory.path());
+    std::filesystem::create_directory(directory.path() / "taken.flips");
+    EXPECT_THAT(written_and_in_words("taken", *failing),
+                testing::EndsWith("is a directory; name a file"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ public:
         : path_(std::filesystem::path(::testing::TempDir()) / ("tightflip_" + name)) {
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
-        setenv(failures_directory_variable, path_.c_str(), 1);
+        name_instead(path_);
     }
     ~FailuresDirectory() {
         unsetenv(failures_directory_variable);
@@ -29,6 +29,11 @@ public:
     FailuresDirectory& operator=(const FailuresDirectory&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    /// From now on failing cases go to this place, say one in the directory that cannot be made.
+    static void name_instead(const std::filesystem::path& place) {
+        setenv(failures_directory_variable, place.c_str(), 1);
+    }
 
 private:
     std::filesystem::path path_;

@@ -51,6 +51,16 @@ TEST(ExpectHolds, ShowsTheShortestScriptInWordsAndWritesItsLog) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 2);
 }
 
+TEST(ExpectHolds, ShowsTheScriptAlsoWhereItCannotBeWritten) {
+    const FailuresDirectory directory("expect_holds_unwritten");
+    kernel::write_file(directory.path() / "file", [](std::ostream& out) { out << "no directory"; });
+    FailuresDirectory::name_instead(directory.path() / "file");
+    const auto result = holds("never_two", never_two, kernel::families::tetrahedron(), script);
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.message(), HasSubstr("\nflip 1: edge 2 joins "));
+    EXPECT_THAT(result.message(), HasSubstr("\nnot written: " + directory.path().string()));
+}
+
 void failing_assertion() {
     ASSERT_HOLDS(never_two, kernel::families::tetrahedron(), script) << "more";
     throw std::logic_error("not reached");

@@ -1,4 +1,5 @@
 #include "failures_directory.hpp"
+#include "false_claim.hpp"
 #include <tightflip/kernel/file_io.hpp>
 #include <tightflip/properties/claims.hpp>
 #include <tightflip/properties/rapidcheck.hpp>
@@ -273,15 +274,6 @@ TEST(AnySurfaceCase, ShrinksStartScriptAndPoints) {
 
 // ---- failing cases ----
 
-/// A claim that does not hold: no script flips edge 3 and later edge 1.
-std::optional<Finding> never_three_then_one(const Triangulation&, std::span<const Edge> script) {
-    const auto three = std::ranges::find(script, Edge{3});
-    const auto one = std::find(three, script.end(), Edge{1});
-    if (one == script.end()) return std::nullopt;
-    return Finding{static_cast<std::size_t>(one - script.begin()) + 1,
-                   {.code = ViolationCode::flip_law_broken}};
-}
-
 TEST(RequireClaim, LeavesTheSmallestFailingCaseAsALogAndNamesIt) {
     const FailuresDirectory directory("require_claim");
     const auto result = rc::detail::checkTestable(
@@ -294,12 +286,29 @@ TEST(RequireClaim, LeavesTheSmallestFailingCaseAsALogAndNamesIt) {
     const auto path = directory.path() / "three_then_one.flips";
     EXPECT_THAT(failure.description, ::testing::HasSubstr(path.string()));
     EXPECT_THAT(failure.description, ::testing::HasSubstr("flip_law_broken"));
+    EXPECT_THAT(failure.description, ::testing::HasSubstr("\nflip 2: edge 1 joins "));
     ASSERT_EQ(failure.counterExample.size(), 1U);
     EXPECT_EQ(failure.counterExample.front().second,
               "(tetrahedron, V = 4, genus 0, seed 0, E = 6; flips 3 1)");
     const kernel::FlipLog log = kernel::parse_flip_log(kernel::read_file(path), path.string());
     EXPECT_EQ(log.start, FlipCase{}.start());
     EXPECT_EQ(log.flips, (FlipScript{{3}, {1}}));
+}
+
+TEST(RequireClaim, ShowsTheCaseAlsoWhereItCannotBeWritten) {
+    const FailuresDirectory directory("require_claim_unwritten");
+    kernel::write_file(directory.path() / "file", [](std::ostream& out) { out << "no directory"; });
+    FailuresDirectory::name_instead(directory.path() / "file");
+    const auto result = rc::detail::checkTestable(
+        [](const FlipCase& flip_case) {
+            require_claim("three_then_one", flip_case, never_three_then_one);
+        },
+        rc::detail::TestMetadata{}, rc::detail::TestParams{});
+    const auto& failure = result.get<rc::detail::FailureResult>();
+    EXPECT_THAT(failure.description, ::testing::HasSubstr("\nflip 2: edge 1 joins "));
+    EXPECT_THAT(failure.description, ::testing::HasSubstr("\nnot written: "));
+    EXPECT_EQ(failure.counterExample.front().second,
+              "(tetrahedron, V = 4, genus 0, seed 0, E = 6; flips 3 1)");
 }
 
 TEST(RequireClaim, WritesNothingWhereTheClaimHolds) {

@@ -18,9 +18,7 @@ struct PolyhedronKernel : CgalGraphKernel<CGAL::Polyhedron_3<CGAL::Simple_cartes
 }  // namespace
 
 KernelDescription cgal_polyhedron(KernelClass allowed) {
-    KernelDescription description = kernel_description<PolyhedronKernel>();
-    description.allowed = allowed;
-    return description;
+    return judged_as<PolyhedronKernel>(allowed);
 }
 
 }  // namespace tightflip::properties

@@ -24,15 +24,11 @@ struct PolygonMeshKernel : SurfaceMeshKernel {
 }  // namespace
 
 KernelDescription cgal_polygon_mesh(KernelClass allowed) {
-    KernelDescription description = kernel_description<PolygonMeshKernel>();
-    description.allowed = allowed;
-    return description;
+    return judged_as<PolygonMeshKernel>(allowed);
 }
 
 KernelDescription cgal_surface_mesh(KernelClass allowed) {
-    KernelDescription description = kernel_description<SurfaceMeshKernel>();
-    description.allowed = allowed;
-    return description;
+    return judged_as<SurfaceMeshKernel>(allowed);
 }
 
 }  // namespace tightflip::properties

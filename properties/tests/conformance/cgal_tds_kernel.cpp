@@ -93,9 +93,7 @@ struct TdsKernel {
 }  // namespace
 
 KernelDescription cgal_triangulation_data_structure(KernelClass allowed) {
-    KernelDescription description = kernel_description<TdsKernel>();
-    description.allowed = allowed;
-    return description;
+    return judged_as<TdsKernel>(allowed);
 }
 
 }  // namespace tightflip::properties

@@ -21,6 +21,14 @@ namespace tightflip::properties {
 [[nodiscard]] KernelDescription open_mesh_by_hand(KernelClass allowed);
 [[nodiscard]] KernelDescription boost_graph_kernel();
 
+/// The description of an adaptor, judged in another class than it names.
+template <MeshKernel K>
+[[nodiscard]] KernelDescription judged_as(KernelClass allowed) {
+    KernelDescription description = kernel_description<K>();
+    description.allowed = allowed;
+    return description;
+}
+
 /// All of them, in the order of docs/conformance.md.
 [[nodiscard]] std::vector<KernelDescription> all_kernels();
 

@@ -97,15 +97,11 @@ struct ByHandOpenMeshKernel : OpenMeshKernel {
 }  // namespace
 
 KernelDescription open_mesh_by_hand(KernelClass allowed) {
-    KernelDescription description = kernel_description<ByHandOpenMeshKernel>();
-    description.allowed = allowed;
-    return description;
+    return judged_as<ByHandOpenMeshKernel>(allowed);
 }
 
 KernelDescription open_mesh(KernelClass allowed) {
-    KernelDescription description = kernel_description<OpenMeshKernel>();
-    description.allowed = allowed;
-    return description;
+    return judged_as<OpenMeshKernel>(allowed);
 }
 
 }  // namespace tightflip::properties

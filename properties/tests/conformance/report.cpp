@@ -15,7 +15,7 @@ int main() {
     write_markdown(std::cout, reports);
     for (const KernelReport& report : reports) {
         std::cout << "\n### " << report.kernel << ", judged as " << name(report.allowed) << "\n\n"
-                  << report.flips << " flips tried, " << report.planted << " faults planted.\n";
+                  << report.flips() << " flips done, " << report.planted << " faults planted.\n";
         for (const KernelFinding& finding : report.findings) {
             std::cout << "\n- " << describe(finding) << "\n";
             if (finding.script.empty()) continue;

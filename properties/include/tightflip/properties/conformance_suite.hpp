@@ -5,36 +5,40 @@
 ///     INSTANTIATE_TYPED_TEST_SUITE_P(MyMesh, MeshKernelSuite, MyKernel);
 /// \endcode
 ///
-/// Every case is a property. What is found is printed with its script; where the environment
-/// variable TIGHTFLIP_FAILURES names a directory, logs are left there.
+/// Every case is a property; one that nothing put to the test is skipped and says why. What is
+/// found is printed with its script; where the environment variable TIGHTFLIP_FAILURES names a
+/// directory, logs are left there. The cases run with the default options; for others call
+/// `test_kernel`.
 #pragma once
 
 #include <tightflip/properties/conformance.hpp>
-#include <tightflip/properties/flip_case.hpp>
+#include <tightflip/properties/failing_case.hpp>
 
 #include <cstdlib>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
 namespace tightflip::properties {
 
-/// Success, or the findings against a property with their scripts in words.
+/// Success, or the findings against a property with their scripts in words, or why there was no
+/// question.
 [[nodiscard]] inline ::testing::AssertionResult holds(const KernelReport& report,
                                                       KernelProperty property) {
     if (report.holds(property)) return ::testing::AssertionSuccess();
-    std::ostringstream words;
-    words << report.kernel << " does not keep: " << describe(property) << '\n';
-    const char* const directory = std::getenv("TIGHTFLIP_FAILURES");
+    if (!report.was_asked(property)) {
+        return ::testing::AssertionFailure() << "not asked: " << why_not_asked(property);
+    }
+    std::string words = report.kernel + " does not keep: " + std::string(describe(property)) + '\n';
     for (const KernelFinding& finding : report.findings) {
         if (property_of(finding.code) != property) continue;
-        words << describe(finding) << '\n';
-        if (finding.step > 0) write_in_words(words, *finding.log);
-        if (directory != nullptr) {
-            words << "written to " << write_log(directory, report.kernel, finding) << '\n';
-        }
+        const FailingCase failing{*finding.log, describe(finding), {}};
+        words += std::getenv(failures_directory_variable) == nullptr
+                     ? in_words(failing)
+                     : written_and_in_words(report.kernel + "-" + std::string(name(finding.code)),
+                                            failing) +
+                           '\n';
     }
-    return ::testing::AssertionFailure() << words.str();
+    return ::testing::AssertionFailure() << words;
 }
 
 template <class K>
@@ -42,7 +46,7 @@ class MeshKernelSuite : public ::testing::Test {
 protected:
     static void expect(KernelProperty property) {
         static const KernelReport report = test_kernel(kernel_description<K>());
-        if (!report.was_asked(property)) GTEST_SKIP() << "not promised";
+        if (!report.was_asked(property)) GTEST_SKIP() << "not asked: " << why_not_asked(property);
         EXPECT_TRUE(holds(report, property));
     }
 };

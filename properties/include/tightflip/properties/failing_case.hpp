@@ -70,8 +70,13 @@ template <class Start, ClaimOn<Start> Claim>
 [[nodiscard]] std::string in_words(const FailingCase& failing);
 
 /// Writes the log to "NAME.flips" and, of a start with points, the start to "NAME.surface", in the
-/// directory for failing cases, and returns the log's path. What is no letter, digit, '.', '_' or
-/// '-' in the name becomes '-'. Throws FileError where they cannot be written.
+/// directory for failing cases, which is made if there is none, and returns the log's path. What is
+/// no letter, digit, '.', '_' or '-' in the name becomes '-'. Throws FileError where they cannot be
+/// written.
 std::filesystem::path write_failing_case(std::string_view name, const FailingCase& failing);
+
+/// Writes the case as `write_failing_case` does. Returns it in words, and then where its log is, or
+/// why it could not be written.
+[[nodiscard]] std::string written_and_in_words(std::string_view name, const FailingCase& failing);
 
 }  // namespace tightflip::properties

@@ -17,13 +17,14 @@ struct FlipCase {
     /// The script; each pick names an edge of the start, modulo their number.
     std::vector<std::uint32_t> picks;
 
+    /// Made anew at each call, at the cost of `make_nearest`; so are those that follow.
     [[nodiscard]] Triangulation start() const { return make_nearest(*kind, request); }
     /// The start with the whole script, refused flips included.
     [[nodiscard]] kernel::FlipLog log() const;
     [[nodiscard]] FlipScript script() const { return log().flips; }
 };
 
-/// One line: kind, sizes, seed and the script's edges.
+/// One line: kind, sizes, seed and the script's edges. Makes the start, to count its edges.
 [[nodiscard]] std::string describe(const FlipCase& flip_case);
 
 /// The script in words, one line a flip: which vertices the edge joined and joins now, or why it

@@ -24,15 +24,14 @@ namespace tightflip::properties {
 }
 
 /// Success where the claim holds; else the finding of the shortest script found that still fails,
-/// that script in words, and where its log was written.
+/// that script in words, and where its log was written, or why it could not be.
 template <class Start, ClaimOn<Start> Claim>
 [[nodiscard]] ::testing::AssertionResult holds(std::string_view claim_text, const Claim& claim,
                                                const Start& start, FlipScript script) {
     const auto failing = failing_case(claim, start, std::move(script));
     if (!failing) return ::testing::AssertionSuccess();
-    const auto path = write_failing_case(next_failure_name(), *failing);
-    return ::testing::AssertionFailure() << claim_text << " does not hold " << in_words(*failing)
-                                         << "written to " << path.string();
+    return ::testing::AssertionFailure() << claim_text << " does not hold "
+                                         << written_and_in_words(next_failure_name(), *failing);
 }
 
 }  // namespace tightflip::properties

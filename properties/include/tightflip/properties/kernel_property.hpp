@@ -2,6 +2,8 @@
 /// What the conformance suite asks of a mesh kernel, and the codes of what it may find.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -21,6 +23,9 @@ enum class KernelProperty : std::uint8_t {
     agreement,   ///< step by step like this library's kernel
     survival,    ///< no exception, crash or endless loop
 };
+
+/// How often each property was put to the test, in their order.
+using Questions = std::array<std::size_t, 10>;
 
 /// Stable codes; hundreds name the property.
 enum class KernelCode : std::uint16_t {
@@ -46,6 +51,7 @@ enum class KernelCode : std::uint16_t {
     wrong_origin_accepted = 811,
     wrong_next_accepted = 812,
     wrong_across_accepted = 813,
+    forbidden_edge_accepted = 814,  ///< a double edge, or a loop, that the class forbids
 
     answers_differ_from_ours = 901,
     surface_differs_from_ours = 902,
@@ -60,6 +66,8 @@ enum class KernelCode : std::uint16_t {
 [[nodiscard]] KernelProperty property_of(KernelCode code) noexcept;
 /// What the property asks, in a line.
 [[nodiscard]] std::string_view describe(KernelProperty property) noexcept;
+/// Why the property may not have been put to the test: "no flip was done".
+[[nodiscard]] std::string_view why_not_asked(KernelProperty property) noexcept;
 [[nodiscard]] std::span<const KernelProperty> all_kernel_properties() noexcept;
 
 }  // namespace tightflip::properties

@@ -7,7 +7,6 @@
 #include <tightflip/properties/kernel_property.hpp>
 #include <tightflip/properties/mesh_kernel.hpp>
 
-#include <filesystem>
 #include <iosfwd>
 #include <optional>
 
@@ -19,16 +18,18 @@ struct KernelFinding {
     std::string start;     ///< where it was seen: the start's kind and size
     std::size_t step = 0;  ///< flips attempted up to and including the one after which it showed
     std::string words;
-    /// The script. Edge e stands for the kernel's side at which edge e of the start was listed
-    /// first; where a kernel keeps its sides that is edge e for ever.
+    /// The edges asked about, by the numbers that they have in this library's kernel, which goes
+    /// beside. Once the script has left its class, a number means the side that it meant last.
     FlipScript script;
-    /// The start and the script as flips of this library's kernel, to replay and to print with
-    /// `write_in_words`; it ends early where the script leaves the allowed class. (After a
-    /// planted fault: the start alone.)
+    bool laws = false;  ///< each flip was taken back and repeated: four more in every step
+    /// The start and all flips in order, the last one that which was asked about or done when it
+    /// showed; edges refused before are left out. To replay, to print with `write_in_words`, and to
+    /// run once more as a script. It ends early where the script leaves the class of this library's
+    /// kernel. (After a planted fault: the start alone.)
     std::optional<kernel::FlipLog> log;
 };
 
-/// One line: code, name, start, step and words.
+/// One line: code, name, start, step, words and script.
 [[nodiscard]] std::string describe(const KernelFinding& finding);
 
 /// What was found out about a kernel.
@@ -36,19 +37,17 @@ struct KernelReport {
     std::string kernel;
     KernelClass allowed = KernelClass::simple;
     std::vector<KernelFinding> findings;  ///< at most one of each code, by code; scripts shrunk
-    std::vector<KernelProperty> asked;    ///< properties that could be asked of this kernel
-    std::size_t flips = 0;                ///< in all scripts, without those of shrinking
+    Questions asked{};                    ///< by all scripts, without those of shrinking
     std::size_t planted = 0;              ///< faults planted and judged invalid by the audit
 
+    /// Flips done, in all scripts, those of the laws included.
+    [[nodiscard]] std::size_t flips() const noexcept;
+    /// Whether anything put it to the test.
     [[nodiscard]] bool was_asked(KernelProperty property) const noexcept;
+    /// Whether it was put to the test and nothing was found.
     [[nodiscard]] bool holds(KernelProperty property) const noexcept;
     [[nodiscard]] const KernelFinding* find(KernelCode code) const noexcept;
 };
-
-/// Writes the log of a finding to a file named after the kernel and the code, and returns where.
-/// Throws FileError where it cannot be written.
-std::filesystem::path write_log(const std::filesystem::path& directory, const std::string& kernel,
-                                const KernelFinding& finding);
 
 /// A Markdown table, kernel by property: holds, the codes of what was found, or not asked.
 void write_markdown(std::ostream& out, std::span<const KernelReport> reports);

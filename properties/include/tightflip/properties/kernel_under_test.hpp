@@ -35,14 +35,19 @@ public:
     virtual bool plant(PlantedFault fault, Index side, Index wrong) = 0;
 };
 
-/// A kernel's name and promises, and how to make one. Where `takes_gluings` is false only surfaces
-/// with simple graphs are asked for.
+/// A kernel's name and promises, and how to make one.
 struct KernelDescription {
     std::string name;
     KernelClass allowed = KernelClass::simple;
     bool keeps_sides = true;
     bool takes_gluings = false;
     std::function<std::unique_ptr<KernelUnderTest>(const Gluing&)> make;
+
+    /// Whether the kernel is asked for a surface: face lists are ambiguous where the graph is not
+    /// simple.
+    [[nodiscard]] bool can_start(bool graph_is_simple) const noexcept {
+        return graph_is_simple || (takes_gluings && allowed != KernelClass::simple);
+    }
 };
 
 namespace detail {

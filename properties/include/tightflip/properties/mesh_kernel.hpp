@@ -46,7 +46,9 @@ enum class KernelClass : std::uint8_t {
 /// a half-edge, or a face and a number; any type with copies and an order `<`. The kernel is made
 /// from the corners of its faces, counter-clockwise, and numbers its vertices as they do.
 ///
-/// * `sides()`: the three sides of every face, in any order;
+/// * `sides()`: the three sides of every face, in any order; after any flips the same ones, of
+/// which
+///   `next` and `across` name no others;
 /// * `next(s)`: the following side of the same face, counter-clockwise;
 /// * `across(s)`: the other side of the same edge;
 /// * `origin(s)`: the vertex where the side begins;
@@ -70,12 +72,13 @@ concept MeshKernel = std::copyable<typename K::Side> &&
     { view.is_valid() } -> std::convertible_to<bool>;
 };
 
-/// A kernel that can be made from a gluing, and so start where a face list is ambiguous.
+/// A kernel that can be made from a gluing, and so start where a face list is ambiguous. It may
+/// throw where the gluing is beyond its class.
 template <class K>
 concept StartsFromGluings = std::constructible_from<K, const Gluing&>;
 
 /// A kernel that lets a test damage it, so that its validator has something to find. Any of the
-/// three may be missing.
+/// three may be missing: origins and one of the others are enough to make forbidden edges.
 template <class K>
 concept TakesWrongOrigins = requires(K mesh, typename K::Side side) {
     mesh.set_origin(side, Index{});

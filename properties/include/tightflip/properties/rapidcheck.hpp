@@ -157,7 +157,8 @@ template <class Case>
 /// Cases of every kind; vertices and flips grow with RapidCheck's size. They shrink as
 /// `simpler_cases` says: towards earlier kinds, genus 0, few vertices, seed 0, short scripts and
 /// low edges, all within the limits. Limits that no kind can keep to are an error that RapidCheck
-/// reports.
+/// reports. A case costs its start, and with limits on graph, genus or vertices the start and audit
+/// of every one that is drawn on the way.
 [[nodiscard]] inline rc::Gen<FlipCase> any_flip_case(const FlipCaseLimits& limits = {}) {
     return [=](const rc::Random& random, int size) {
         return detail::shrinking_case(detail::drawn_flip_case(limits, random, size), limits);
@@ -233,9 +234,9 @@ inline void showValue(const SurfaceCase& surface_case, std::ostream& out) {
     out << describe(surface_case);
 }
 
-/// Fails the running property where the claim does not hold of the case, with the finding and the
-/// place of a log that shows it. Cases that fail while RapidCheck shrinks overwrite each other, so
-/// that the smallest remains.
+/// Fails the running property where the claim does not hold of the case, with the finding, the
+/// script in words and the place of a log that shows it, or why that could not be written. Cases
+/// that fail while RapidCheck shrinks overwrite each other, so that the smallest remains.
 template <class Case, class Claim>
 void require_claim(std::string_view name, const Case& drawn, const Claim& claim) {
     const auto start = drawn.start();
@@ -244,8 +245,7 @@ void require_claim(std::string_view name, const Case& drawn, const Claim& claim)
     if (!finding) return;
     const FailingCase failing{
         {triangulation_of(start), std::move(script)}, describe(*finding), points_of(start)};
-    const auto path = write_failing_case(name, failing);
-    RC_FAIL(failing.finding + "\nwritten to " + path.string());
+    RC_FAIL(written_and_in_words(name, failing));
 }
 
 }  // namespace tightflip::properties
