@@ -2,7 +2,6 @@
 #pragma once
 
 #include "my_mesh.hpp"
-
 #include <tightflip/properties/mesh_kernel.hpp>
 
 namespace tightflip::properties {

@@ -1,6 +1,5 @@
 // The conformance suite on the adaptor.
 #include "my_kernel.hpp"
-
 #include <tightflip/properties/conformance_suite.hpp>
 
 namespace tightflip::properties {
