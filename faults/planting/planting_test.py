@@ -1,3 +1,4 @@
+import os
 import tempfile
 import unittest
 from pathlib import Path
@@ -73,16 +74,32 @@ class Tree(InFolder):
             self.assertIn("return -x;", copy.read_text())
         self.assertEqual((copy.read_text(), copy.stat().st_mtime_ns), (before, time))
 
-    def test_copying_again_takes_a_fault_away_that_was_left(self):
+    def test_copying_again_takes_away_what_a_kill_left(self):
         root, tree = self.folder / "root", self.folder / "tree"
         copy_project(root, tree)
         time = (tree / "a/source.cpp").stat().st_mtime_ns
-        (tree / "a/source.cpp").write_text("int f(int x) {\n    return 0;\n}\n")
+        [fault] = self.read(ENTRY)
+        if os.fork() == 0:
+            with planted(fault, tree):
+                os._exit(0)  # as a kill ends it
+        os.wait()
+        self.assertIn("return -x;", (tree / "a/source.cpp").read_text())
         (tree / "a/foreign.cpp").write_text("")
         copy_project(root, tree)
         self.assertIn("return x;", (tree / "a/source.cpp").read_text())
         self.assertEqual((tree / "a/source.cpp").stat().st_mtime_ns, time)
-        self.assertFalse((tree / "a/foreign.cpp").exists())
+        self.assertEqual([path.name for path in (tree / "a").iterdir()], ["source.cpp"])
+
+    # A change of yesterday that is copied today is newer than what was made this morning.
+    def test_what_changed_is_new_in_the_tree(self):
+        root, tree = self.folder / "root", self.folder / "tree"
+        copy_project(root, tree)
+        time = (tree / "a/source.cpp").stat().st_mtime_ns
+        (root / "a/source.cpp").write_text("int f(int x) {\n    return 2 * x;\n}\n")
+        os.utime(root / "a/source.cpp", ns=(0, 0))
+        copy_project(root, tree)
+        self.assertIn("2 * x", (tree / "a/source.cpp").read_text())
+        self.assertGreater((tree / "a/source.cpp").stat().st_mtime_ns, time)
 
 
 class Results(InFolder):

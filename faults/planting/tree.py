@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 LEFT_OUT = {".git", "build", "out"}
+INTACT = ".intact"  # follows the name of a source while a fault is in its place
 
 
 def project_files(root):
@@ -20,20 +21,23 @@ def project_files(root):
 
 
 def copy_project(root, tree):
-    """Makes the tree equal to the project. Times are copied too, so a fault that was left in the
-    tree by a kill is gone afterwards and nothing is built again because of it."""
+    """Makes the tree equal to the project. What changed is new, whatever its time in the project,
+    so that everything made from it is made again; a fault that a kill left in the tree is taken out
+    first, and nothing is made again because of it."""
     root, tree = Path(root), Path(tree)
+    for intact in tree.rglob(f"*{INTACT}"):
+        os.replace(intact, intact.with_name(intact.name.removesuffix(INTACT)))
     wanted = set(project_files(root))
     if tree.is_dir():
         for path in set(project_files(tree)) - wanted:
             (tree / path).unlink()
     for path in wanted:
         source, copy = root / path, tree / path
-        if copy.is_file() and source.stat().st_mtime_ns == copy.stat().st_mtime_ns \
-                and source.read_bytes() == copy.read_bytes():
+        if copy.is_file() and source.read_bytes() == copy.read_bytes():
             continue
         copy.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(source, copy)
+        shutil.copyfile(source, copy)
+        shutil.copymode(source, copy)
 
 
 @contextmanager
@@ -44,10 +48,10 @@ def planted(fault, tree):
     said = fault.objection(content)
     if said:
         raise RuntimeError(f"{fault.name}: {said}")
-    times = copy.stat()
-    copy.write_text(fault.planted(content))
+    intact = copy.with_name(copy.name + INTACT)  # with its time
+    os.replace(copy, intact)
     try:
+        copy.write_text(fault.planted(content))
         yield
     finally:
-        copy.write_text(content)
-        os.utime(copy, ns=(times.st_atime_ns, times.st_mtime_ns))
+        os.replace(intact, copy)
