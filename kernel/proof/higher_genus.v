@@ -9,7 +9,7 @@
    surfaces of every genus from 2 on see every_genus.v. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From Tightflip Require Import surface flip invariants reach.
+From Tightflip Require Import surface flip invariants reach numbered.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -54,10 +54,6 @@ Lemma same_surface_gluing (D D' V : finType) (s : surface D V) (s' : surface D' 
   same_surface s s' -> same_gluing s s'.
 Proof. by case=> f [bij_f f_twin f_next _]; exists f. Qed.
 
-(* Going from dart to dart: true leads to the next one, false to the twin. *)
-Fixpoint walk (D V : finType) (s : surface D V) (w : seq bool) x :=
-  if w is c :: w' then walk s w' (if c then next s x else twin s x) else x.
-
 (* What leads back to its start in a surface does so in every one with the same gluing. *)
 Lemma walk_apart (D D' V V' : finType) (s : surface D V) (s' : surface D' V') w x :
   walk s w x = x -> (forall y, walk s' w y != y) -> ~ same_gluing s s'.
@@ -68,117 +64,59 @@ have f_walk u z : f (walk s u z) = walk s' u (f z).
 by have := astray (f x); rewrite -f_walk back eqxx.
 Qed.
 
-(* Surfaces from tables: dart i has the twin i + 1 or i - 1, whichever belongs to its pair, and the
-   table has next and origin of each dart.  The vertices are 0, 1 and 2. *)
+(* Surfaces from tables, which have next and origin of each dart.  The vertices are 0, 1 and 2. *)
+Definition table_next (table : seq (nat * nat)) i := (nth (0, 0) table i).1.
+Definition table_origin (table : seq (nat * nat)) i := (nth (0, 0) table i).2.
+
 Section Table.
 
 Variables (n : nat) (table : seq (nat * nat)).
 
-Let entry i := nth (0, 0) table i.
-Let tw i := if odd i then i.-1 else i.+1.
-Let nx i := (entry i).1.
-Let og i := (entry i).2.
-Let turn i := nx (tw i).
-
-(* All darts that are reached from dart i in k rounds. *)
-Fixpoint around k (xs : seq nat) :=
-  if k is k'.+1 then around k' (undup (xs ++ map tw xs ++ map nx xs)) else xs.
+Let og := table_origin table.
+Let turn i := table_next table (mate i).
 
 (* Everything is in order, by calculation; all darts are reached in so many rounds. *)
 Definition table_ok rounds :=
   let darts := iota 0 n.+1 in
-  [&& all (fun i => [&& tw i <= n, nx i <= n & og i < 3]) darts,
-      all (fun i => [&& nx (nx (nx i)) == i, nx i != i, og (turn i) == og i & og i != og (nx i)])
-        darts,
-      all (fun i => all (fun j => (og i == og j) ==> (j \in traject turn i n)) darts) darts,
-      all (fun v => has (fun i => og i == v) darts) (iota 0 3) &
-      all (fun i => let reached := around rounds [:: i] in all (mem reached) darts) darts].
+  [&& numbered_ok n 2 (table_next table) og rounds,
+      all (fun i => og (turn i) == og i) darts &
+      all (fun i => all (fun j => (og i == og j) ==> (j \in traject turn i n)) darts) darts].
 
 Variable rounds : nat.
 Hypothesis ok : table_ok rounds.
 
-Implicit Types i j : 'I_n.+1.
+Let in_order : numbered_ok n 2 (table_next table) og rounds. Proof. by case/and3P: ok. Qed.
 
-Let dart i : val i \in iota 0 n.+1. Proof. by rewrite mem_iota ltn_ord. Qed.
-
-Let in_range i : [/\ tw i <= n, nx i <= n & og i < 3].
-Proof. by have [/allP/(_ _ (dart i))/and3P] := and5P ok. Qed.
-
-Let entry_ok i : [/\ nx (nx (nx i)) = i, nx i != i, og (turn i) = og i & og i != og (nx i)].
-Proof. by have [_ /allP/(_ _ (dart i))/and4P[/eqP ? ? /eqP ? ?]] := and5P ok. Qed.
-
-Let tw_tw k : tw (tw k) = k.
-Proof.
-rewrite /tw; case odd_k: (odd k); last by rewrite /= odd_k.
-by case: k odd_k => //= k /negbTE->.
-Qed.
-
-Let tw_neq k : tw k != k.
-Proof.
-rewrite /tw; case: ifP => [|_]; last by rewrite neq_ltn ltnSn orbT.
-by case: k => // k _; rewrite neq_ltn ltnSn.
-Qed.
-
-Let twin_of i : 'I_n.+1 := inord (tw i).
-Let next_of i : 'I_n.+1 := inord (nx i).
-
-Let twin_ofE i : val (twin_of i) = tw i.
-Proof. by have [? _ _] := in_range i; rewrite /= inordK. Qed.
-Let next_ofE i : val (next_of i) = nx i.
-Proof. by have [_ ? _] := in_range i; rewrite /= inordK. Qed.
-
-Let twin_of_inj : injective twin_of.
-Proof. by apply: (can_inj (g := twin_of)) => i; apply: val_inj; rewrite !twin_ofE tw_tw. Qed.
-Let next_of_inj : injective next_of.
-Proof.
-apply: (can_inj (g := fun i => next_of (next_of i))) => i; apply: val_inj.
-by rewrite !next_ofE; have [-> _ _ _] := entry_ok i.
-Qed.
-
-Definition table_surface : surface [finType of 'I_n.+1] [finType of 'I_3] :=
-  Surface (perm twin_of_inj) (perm next_of_inj) [ffun i : 'I_n.+1 => inord (og i)].
+Definition table_surface : surface [finType of 'I_n.+1] [finType of 'I_3] := numbered in_order.
 
 Let s := table_surface.
 
-Let twinE i : val (twin s i) = tw i. Proof. by rewrite permE twin_ofE. Qed.
-Let nextE i : val (next s i) = nx i. Proof. by rewrite permE next_ofE. Qed.
-Let originE i : val (origin s i) = og i.
-Proof. by have [_ _ ?] := in_range i; rewrite ffunE /= inordK. Qed.
-Let sigma_val k i : val ((sigma s ^+ k)%g i) = iter k turn i.
+Let originE i : val (origin s i) = og i. Proof. exact: numbered_origin. Qed.
+Let sigmaE' i : val (sigma s i) = turn (val i).
+Proof. by rewrite sigmaE [LHS]numbered_next numbered_twin. Qed.
+Let sigma_val k i : val ((sigma s ^+ k)%g i) = iter k turn (val i).
 Proof.
 elim: k => [|k IHk]; first by rewrite expg0 perm1.
-by rewrite expgSr permM sigmaE nextE twinE IHk.
+by rewrite expgSr permM sigmaE' IHk.
 Qed.
 
 Lemma table_good : good s.
 Proof.
-have [_ _ orbits used reached] := and5P ok; split.
-- split=> [i|i|i|i|i j|v].
-  + by apply: val_inj; rewrite !twinE tw_tw.
-  + by rewrite -val_eqE twinE tw_neq.
-  + by apply: val_inj; rewrite !nextE; have [-> _ _ _] := entry_ok i.
-  + by rewrite -val_eqE nextE; have [_ -> _ _] := entry_ok i.
-  + apply/eqP/idP => [eq_o|/porbitP[k ->]].
-      have /allP/(_ _ (dart i))/allP/(_ _ (dart j)) := orbits; rewrite -!originE eq_o eqxx /=.
-      case/trajectP => k _ def_j; apply/porbitP; exists k; apply: val_inj.
-      by rewrite sigma_val.
-    elim: k => [|k ->]; first by rewrite expg0 perm1.
-    rewrite expgSr permM sigmaE; set j' := _ i; apply: val_inj; rewrite !originE nextE twinE.
-    by have [_ _ -> _] := entry_ok j'.
-  + have /allP/(_ (val v)) := used; rewrite mem_iota ltn_ord => /(_ isT) /hasP[k].
-    rewrite mem_iota => /andP[_ le_kn] /eqP def_v; exists (Ordinal le_kn).
-    by apply: val_inj; rewrite originE.
-- by move=> i; rewrite -val_eqE !originE nextE; have [_ _ _ ->] := entry_ok i.
-move=> i j; have /allP/(_ _ (dart i))/allP/(_ _ (dart j)) := reached.
-have: forall k, k \in [:: val i] -> exists2 x, val x = k & connect (link s) i x.
-  by move=> k; rewrite inE => /eqP->; exists i.
-elim: rounds [:: val i] => [|r IHr] xs conn /=.
-  by move/conn => [x /val_inj-> ].
-apply: IHr => k; rewrite mem_undup !mem_cat => /or3P[/conn //| | ] /mapP[m /conn[x <- ix] ->].
-  exists (twin s x); first exact: twinE.
-  by apply: connect_trans ix (connect1 _); rewrite /link eqxx.
-exists (next s x); first exact: nextE.
-by apply: connect_trans ix (connect1 _); rewrite /link eqxx orbT.
+have [_ /allP constant orbits] := and3P ok.
+split; [split=> [|||| i j|] | exact: numbered_loopless | exact: numbered_connected].
+- exact: numbered_twinK.
+- exact: numbered_twin_neq.
+- exact: numbered_next3.
+- exact: numbered_next_neq.
+- apply/eqP/idP => [eq_o|/porbitP[k ->]].
+    have /allP/(_ _ (dart_number i))/allP/(_ _ (dart_number j)) := orbits.
+    rewrite -!originE eq_o eqxx /=.
+    case/trajectP => k _ def_j; apply/porbitP; exists k; apply: val_inj.
+    by rewrite sigma_val.
+  elim: k => [|k ->]; first by rewrite expg0 perm1.
+  rewrite expgSr permM; set j' := _ i; apply: val_inj; rewrite !originE sigmaE'.
+  by rewrite (eqP (constant _ (dart_number j'))).
+exact: numbered_used.
 Qed.
 
 Lemma table_genus g : n.+1 = 6 * (2 * g).+1 -> has_genus s g.
@@ -191,22 +129,24 @@ have -> : faces s = 2 * (2 * g).+1.
 by rewrite vertices_labels // card_ord; ring.
 Qed.
 
-Fixpoint walk_table (w : seq bool) k :=
-  if w is c :: w' then walk_table w' (if c then nx k else tw k) else k.
-
-Lemma walk_table_val w i : val (walk s w i) = walk_table w i.
-Proof. by elim: w i => //= c w IHw i; rewrite IHw; case: c; rewrite ?nextE ?twinE. Qed.
-
 End Table.
 
-Lemma tables_apart n table r (ok : table_ok n table r) n' table' r' (ok' : table_ok n' table' r')
-    w :
-  walk_table table w 0 == 0 -> all (fun i => walk_table table' w i != i) (iota 0 n'.+1) ->
-  ~ same_gluing (table_surface ok) (table_surface ok').
+(* Two surfaces of genus g that flips do not join: a way that leads back to its start from dart 0
+   of the first one does so from no dart of the second. *)
+Lemma tables_not_joined n table table' r r' (ok : table_ok n table r) (ok' : table_ok n table' r')
+    g w :
+  n.+1 = 6 * (2 * g).+1 -> walk_numbers (table_next table) w 0 == 0 ->
+  all (fun i => walk_numbers (table_next table') w i != i) (iota 0 n.+1) ->
+  [/\ good (table_surface ok) /\ has_genus (table_surface ok) g,
+      good (table_surface ok') /\ has_genus (table_surface ok') g &
+      forall s, reach (table_surface ok) s -> ~ same_gluing s (table_surface ok')].
 Proof.
-move=> /eqP back /allP astray; apply: (@walk_apart _ _ _ _ _ _ w ord0).
-  by apply: val_inj; rewrite walk_table_val.
-by move=> y; rewrite -val_eqE walk_table_val; apply: astray; rewrite mem_iota ltn_ord.
+move=> card_n /eqP back /allP astray.
+split; try by [split; [exact: table_good|exact: table_genus]].
+have [wf loopl _] := table_good ok => s r_s.
+rewrite (three_vertices_alone (card_ord 3) wf loopl r_s).
+apply: (@walk_apart _ _ _ _ _ _ w ord0); first by apply: val_inj; rewrite [LHS]numbered_walk.
+by move=> y; rewrite -val_eqE [X in X != _]numbered_walk; apply: astray; apply: dart_number.
 Qed.
 
 (* Two of genus 2.  The tables are genus-2-isolated-1.txt and -2.txt in docs/findings.
@@ -227,21 +167,14 @@ Definition genus_2_first := table_surface genus_2_first_ok.
 Lemma genus_2_second_ok : table_ok 29 genus_2_second_table 12. Proof. by vm_compute. Qed.
 Definition genus_2_second := table_surface genus_2_second_ok.
 
-Lemma genus_2_apart : ~ same_gluing genus_2_first genus_2_second.
-Proof.
-pose way := [:: false; true; false; true; false; true; true; false; true; false; true; false; true;
-                true].
-by apply: (tables_apart (w := way)); vm_compute.
-Qed.
-
 Theorem genus_2_not_joined :
   [/\ good genus_2_first /\ has_genus genus_2_first 2,
       good genus_2_second /\ has_genus genus_2_second 2 &
       forall s, reach genus_2_first s -> ~ same_gluing s genus_2_second].
 Proof.
-split; try by [split; [exact: table_good|exact: table_genus]].
-have [wf loopl _] := table_good genus_2_first_ok => s r.
-by rewrite (three_vertices_alone (card_ord 3) wf loopl r); apply: genus_2_apart.
+pose way := [:: false; true; false; true; false; true; true; false; true; false; true; false; true;
+                true].
+by apply: (tables_not_joined genus_2_first_ok genus_2_second_ok (w := way)); vm_compute.
 Qed.
 
 (* Two of genus 3.
@@ -266,19 +199,12 @@ Definition genus_3_first := table_surface genus_3_first_ok.
 Lemma genus_3_second_ok : table_ok 41 genus_3_second_table 12. Proof. by vm_compute. Qed.
 Definition genus_3_second := table_surface genus_3_second_ok.
 
-Lemma genus_3_apart : ~ same_gluing genus_3_first genus_3_second.
-Proof.
-pose way := [:: true; false; true; false; true; true; false; true; false; true; true; false; true;
-                false; true].
-by apply: (tables_apart (w := way)); vm_compute.
-Qed.
-
 Theorem genus_3_not_joined :
   [/\ good genus_3_first /\ has_genus genus_3_first 3,
       good genus_3_second /\ has_genus genus_3_second 3 &
       forall s, reach genus_3_first s -> ~ same_gluing s genus_3_second].
 Proof.
-split; try by [split; [exact: table_good|exact: table_genus]].
-have [wf loopl _] := table_good genus_3_first_ok => s r.
-by rewrite (three_vertices_alone (card_ord 3) wf loopl r); apply: genus_3_apart.
+pose way := [:: true; false; true; false; true; true; false; true; false; true; true; false; true;
+                false; true].
+by apply: (tables_not_joined genus_3_first_ok genus_3_second_ok (w := way)); vm_compute.
 Qed.

@@ -5,21 +5,17 @@
    lead to is not orientable ([signed_reach_not_orientable]). *)
 
 From mathcomp Require Import all_ssreflect all_fingroup ssralg ssrint.
-From Tightflip Require Import surface flip signed orientability.
+From Tightflip Require Import surface flip signed orientability numbered.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(* Going from dart to dart: true leads to the next one, false to the twin; and the parity of the
-   reversed sides that are crossed. *)
+(* The parity of the reversed sides that are crossed by a walk. *)
 Section Walk.
 
 Variables D V : finType.
 Variable s : signed D V.
-
-Fixpoint walk (w : seq bool) x :=
-  if w is c :: w' then walk w' (if c then next (base s) x else twin (base s) x) else x.
 
 Fixpoint parity (w : seq bool) x :=
   if w is c :: w' then
@@ -27,10 +23,10 @@ Fixpoint parity (w : seq bool) x :=
   else false.
 
 (* A way round that crosses an odd number of reversed sides forbids every orientation. *)
-Lemma odd_way_not_orientable w x : walk w x = x -> parity w x -> ~ orientable s.
+Lemma odd_way_not_orientable w x : walk (base s) w x = x -> parity w x -> ~ orientable s.
 Proof.
 move=> back odd_w [o [o_next o_twin]].
-have o_walk u y : o (walk u y) = o y (+) parity u y.
+have o_walk u y : o (walk (base s) u y) = o y (+) parity u y.
   elim: u y => [|[] u IHu] y /=; rewrite ?addbF // IHu ?o_next // o_twin addbA //.
 by have := o_walk w x; rewrite back odd_w; case: (o x).
 Qed.
@@ -50,105 +46,57 @@ have hap := signed_allowed_apart wf al.
 by apply: IH; [apply: signed_flip_well_formed | rewrite signed_flip_orientable].
 Qed.
 
-(* Surfaces from tables: dart i has the twin i + 1 or i - 1, whichever belongs to its pair, and the
-   table has next, origin and reversed of each dart.  The vertices are 0 to m. *)
+(* Surfaces from tables, which have next, origin and reversed of each dart.  The vertices are 0 to
+   m. *)
 Section Table.
 
 Variables (n m : nat) (table : seq (nat * nat * bool)).
 
 Let entry i := nth (0, 0, false) table i.
-Let tw i := if odd i then i.-1 else i.+1.
 Let nx i := (entry i).1.1.
 Let og i := (entry i).1.2.
 Let rv i := (entry i).2.
 
 (* The double cover: next, turning about the vertex, label, the other dart of the same corner. *)
 Let cnx (z : nat * bool) := (if z.2 then nx (nx z.1) else nx z.1, z.2).
-Let cturn (z : nat * bool) := cnx (tw z.1, z.2 (+) rv z.1).
+Let cturn (z : nat * bool) := cnx (mate z.1, z.2 (+) rv z.1).
 Let clab (z : nat * bool) := og (if z.2 then nx z.1 else z.1).
 Let caround (z : nat * bool) := cnx (z.1, ~~ z.2).
-
-(* All darts that are reached from dart i in k rounds. *)
-Fixpoint reached k (xs : seq nat) :=
-  if k is k'.+1 then reached k' (undup (xs ++ map tw xs ++ map nx xs)) else xs.
 
 Let darts := iota 0 n.+1.
 Let cover := [seq (k, false) | k <- darts] ++ [seq (k, true) | k <- darts].
 
 (* Everything is in order, by calculation; all darts are reached in so many rounds. *)
 Definition signed_table_ok rounds :=
-  [&& all (fun i => [&& tw i <= n, nx i <= n & og i <= m]) darts,
-      all (fun i => [&& nx (nx (nx i)) == i, nx i != i, rv (tw i) == rv i & og i != og (nx i)])
-        darts,
+  [&& numbered_ok n m nx og rounds,
+      all (fun i => rv (mate i) == rv i) darts &
       all (fun z => let orbit := traject cturn z n in
                     let other := traject cturn (caround z) n in
                     (clab (cturn z) == clab z) &&
                     all (fun w => (clab z == clab w) ==> (w \in orbit) || (w \in other)) cover)
-        cover,
-      all (fun v => has (fun i => og i == v) darts) (iota 0 m.+1) &
-      all (fun i => let xs := reached rounds [:: i] in all (mem xs) darts) darts].
+        cover].
 
 Variable rounds : nat.
 Hypothesis ok : signed_table_ok rounds.
 
-Implicit Types i j : 'I_n.+1.
-
-Let dart i : val i \in darts. Proof. by rewrite mem_iota ltn_ord. Qed.
-
-Let in_range i : [/\ tw i <= n, nx i <= n & og i <= m].
-Proof. by have [/allP/(_ _ (dart i))/and3P] := and5P ok. Qed.
-
-Let entry_ok i : [/\ nx (nx (nx i)) = i, nx i != i, rv (tw i) = rv i & og i != og (nx i)].
-Proof. by have [_ /allP/(_ _ (dart i))/and4P[/eqP ? ? /eqP ? ?]] := and5P ok. Qed.
-
-Let tw_tw k : tw (tw k) = k.
-Proof.
-rewrite /tw; case odd_k: (odd k); last by rewrite /= odd_k.
-by case: k odd_k => //= k /negbTE->.
-Qed.
-
-Let tw_neq k : tw k != k.
-Proof.
-rewrite /tw; case: ifP => [|_]; last by rewrite neq_ltn ltnSn orbT.
-by case: k => // k _; rewrite neq_ltn ltnSn.
-Qed.
-
-Let twin_of i : 'I_n.+1 := inord (tw i).
-Let next_of i : 'I_n.+1 := inord (nx i).
-
-Let twin_ofE i : val (twin_of i) = tw i.
-Proof. by have [? _ _] := in_range i; rewrite /= inordK. Qed.
-Let next_ofE i : val (next_of i) = nx i.
-Proof. by have [_ ? _] := in_range i; rewrite /= inordK. Qed.
-
-Let twin_of_inj : injective twin_of.
-Proof. by apply: (can_inj (g := twin_of)) => i; apply: val_inj; rewrite !twin_ofE tw_tw. Qed.
-Let next_of_inj : injective next_of.
-Proof.
-apply: (can_inj (g := fun i => next_of (next_of i))) => i; apply: val_inj.
-by rewrite !next_ofE; have [-> _ _ _] := entry_ok i.
-Qed.
+Let in_order : numbered_ok n m nx og rounds. Proof. by case/and3P: ok. Qed.
 
 Definition table_signed : signed [finType of 'I_n.+1] [finType of 'I_m.+1] :=
-  Signed (Surface (perm twin_of_inj) (perm next_of_inj) [ffun i : 'I_n.+1 => inord (og i)])
-         [ffun i : 'I_n.+1 => rv i].
+  Signed (numbered in_order) [ffun i : 'I_n.+1 => rv i].
 
 Let s := table_signed.
 
-Let twinE i : val (twin (base s) i) = tw i. Proof. by rewrite permE twin_ofE. Qed.
-Let nextE i : val (next (base s) i) = nx i. Proof. by rewrite permE next_ofE. Qed.
-Let originE i : val (origin (base s) i) = og i.
-Proof. by have [_ _ ?] := in_range i; rewrite ffunE /= inordK. Qed.
+Let twinE i : val (twin (base s) i) = mate i. Proof. exact: numbered_twin. Qed.
+Let nextE i : val (next (base s) i) = nx i. Proof. exact: numbered_next. Qed.
+Let originE i : val (origin (base s) i) = og i. Proof. exact: numbered_origin. Qed.
 Let reversedE i : reversed s i = rv i. Proof. by rewrite ffunE. Qed.
 
 Lemma table_glued : glued s.
 Proof.
-split=> i.
-- by apply: val_inj; rewrite !twinE tw_tw.
-- by rewrite -val_eqE twinE tw_neq.
-- by apply: val_inj; rewrite !nextE; have [-> _ _ _] := entry_ok i.
-- by rewrite -val_eqE nextE; have [_ -> _ _] := entry_ok i.
-by rewrite !reversedE twinE; have [_ _ -> _] := entry_ok i.
+split; [exact: numbered_twinK | exact: numbered_twin_neq | exact: numbered_next3 |
+  exact: numbered_next_neq |].
+have [_ /allP same _] := and3P ok => i.
+by rewrite !reversedE twinE (eqP (same _ (dart_number i))).
 Qed.
 
 (* The darts of the cover as numbers. *)
@@ -182,7 +130,8 @@ Qed.
 
 Let cover_mem z : cval z \in cover.
 Proof.
-by case: z => i e; rewrite mem_cat; apply/orP; case: e; [right | left]; apply/mapP; exists (val i).
+case: z => i e; rewrite mem_cat; apply/orP; case: e; [right | left]; apply/mapP;
+  by exists (val i); rewrite // dart_number.
 Qed.
 
 Let orbit_mem k z w : cval w \in traject cturn (cval z) k -> w \in porbit (csigma s) z.
@@ -192,67 +141,42 @@ Qed.
 
 Lemma table_constant z : clabel s (csigma s z) = clabel s z.
 Proof.
-have [_ _ /allP/(_ _ (cover_mem z))/andP[/eqP same _] _ _] := and5P ok.
+have [_ _ /allP/(_ _ (cover_mem z))/andP[/eqP same _]] := and3P ok.
 by apply: val_inj; rewrite !clabelE csigmaE' same.
 Qed.
 
 Theorem table_well_formed : signed_well_formed s.
 Proof.
-split; first exact: table_glued.
-  move=> z w; apply/eqP/orP => [eq_zw|].
-    have [_ _ /allP/(_ _ (cover_mem z))/andP[_ /allP/(_ _ (cover_mem w)) alike] _ _] := and5P ok.
-    move: alike; rewrite -!clabelE eq_zw eqxx /= => /orP[/orbit_mem|]; first by left.
-    by rewrite -aroundE => /orbit_mem; right.
-  by case=> /(clabel_porbit table_constant)->; rewrite ?clabel_around.
-move=> v; have [_ _ _ /allP/(_ (val v)) used _] := and5P ok.
-move: used; rewrite mem_iota ltn_ord => /(_ isT) /hasP[k].
-rewrite mem_iota => /andP[_ le_kn] /eqP def_v; exists (Ordinal le_kn).
-by apply: val_inj; rewrite originE.
+split; [exact: table_glued | move=> z w | exact: numbered_used].
+apply/eqP/orP => [eq_zw|].
+  have [_ _ /allP/(_ _ (cover_mem z))/andP[_ /allP/(_ _ (cover_mem w)) alike]] := and3P ok.
+  move: alike; rewrite -!clabelE eq_zw eqxx /= => /orP[/orbit_mem|]; first by left.
+  by rewrite -aroundE => /orbit_mem; right.
+by case=> /(clabel_porbit table_constant)->; rewrite ?clabel_around.
 Qed.
 
-Theorem table_loopless : loopless (base s).
-Proof. by move=> i; rewrite -val_eqE !originE nextE; have [_ _ _ ->] := entry_ok i. Qed.
-
-Theorem table_connected : connected (base s).
-Proof.
-move=> i j; have [_ _ _ _ /allP/(_ _ (dart i))/allP/(_ _ (dart j))] := and5P ok.
-have: forall k, k \in [:: val i] -> exists2 x, val x = k & connect (link (base s)) i x.
-  by move=> k; rewrite inE => /eqP->; exists i.
-elim: rounds [:: val i] => [|r IHr] xs conn /=.
-  by move/conn => [x /val_inj-> ].
-apply: IHr => k; rewrite mem_undup !mem_cat => /or3P[/conn //| | ] /mapP[l /conn[x <- ix] ->].
-  exists (twin (base s) x); first exact: twinE.
-  by apply: connect_trans ix (connect1 _); rewrite /link eqxx.
-exists (next (base s) x); first exact: nextE.
-by apply: connect_trans ix (connect1 _); rewrite /link eqxx orbT.
-Qed.
-
-Fixpoint table_walk (w : seq bool) k :=
-  if w is c :: w' then table_walk w' (if c then nx k else tw k) else k.
 Fixpoint table_parity (w : seq bool) k :=
-  if w is c :: w' then if c then table_parity w' (nx k) else rv k (+) table_parity w' (tw k)
+  if w is c :: w' then if c then table_parity w' (nx k) else rv k (+) table_parity w' (mate k)
   else false.
 
 Theorem table_not_orientable w :
-  (table_walk w 0 == 0) && table_parity w 0 -> ~ orientable s.
+  (walk_numbers nx w 0 == 0) && table_parity w 0 -> ~ orientable s.
 Proof.
-have walkE u i : val (walk s u i) = table_walk u i.
-  by elim: u i => //= c u IHu i; rewrite IHu; case: c; rewrite ?nextE ?twinE.
 have parityE u i : parity s u i = table_parity u i.
   by elim: u i => //= c u IHu i; case: c; rewrite IHu ?nextE ?twinE ?reversedE.
 case/andP=> /eqP back odd_w; apply: (@odd_way_not_orientable _ _ s w ord0).
-  by apply: val_inj; rewrite walkE.
+  by apply: val_inj; rewrite [LHS]numbered_walk.
 by rewrite parityE.
 Qed.
 
 Theorem table_class : 3 <= m -> signed_class s.
 Proof.
-move=> many; split; [exact: table_well_formed|exact: table_loopless|exact: table_connected|].
-by apply: signed_three_neighbour table_well_formed table_connected _; rewrite card_ord.
+move=> many; split; [exact: table_well_formed|exact: numbered_loopless|exact: numbered_connected|].
+by apply: signed_three_neighbour table_well_formed (numbered_connected _) _; rewrite card_ord.
 Qed.
 
 (* The flip of the edge of dart k is allowed. *)
-Theorem table_allowed k : k <= n -> og (nx (nx k)) != og (nx (nx (tw k))) ->
+Theorem table_allowed k : k <= n -> og (nx (nx k)) != og (nx (nx (mate k))) ->
   exists h, allowed (base s) h.
 Proof.
 move=> le_k differ; exists (Ordinal (le_k : k < n.+1)).
@@ -269,6 +193,17 @@ have -> : edges (base s) = e.
   by apply/eqP; rewrite -(eqn_pmul2r (isT : 0 < 2)) [edges _ * 2](edges2 wf0) card_ord n_e.
 suff -> : faces (base s) = f by [].
 by apply/eqP; rewrite -(eqn_pmul2r (isT : 0 < 3)) (signed_faces table_glued) card_ord n_f.
+Qed.
+
+(* What is claimed of a table in which a way round crosses an odd number of reversed sides. *)
+Lemma table_never_orientable w e f : 3 <= m -> n.+1 = e * 2 -> n.+1 = f * 3 ->
+  (walk_numbers nx w 0 == 0) && table_parity w 0 ->
+  [/\ signed_class s, signed_euler s = (m.+1%:Z - e%:Z + f%:Z)%R &
+      forall s', signed_reach s s' -> ~ orientable s'].
+Proof.
+move=> many n_e n_f odd_w; split; [exact: table_class | exact: table_euler|].
+move=> s' r; apply: signed_reach_not_orientable table_well_formed r _.
+exact: table_not_orientable odd_w.
 Qed.
 
 End Table.
@@ -289,11 +224,8 @@ Theorem projective_plane_not_orientable :
   [/\ signed_class projective_plane, signed_euler projective_plane = 1%R &
       forall s, signed_reach projective_plane s -> ~ orientable s].
 Proof.
-have wf := table_well_formed projective_plane_ok; split; first exact: table_class.
-  by rewrite (table_euler projective_plane_ok (e := 15) (f := 10)).
-move=> s r; apply: (signed_reach_not_orientable wf r).
 pose way := [:: false; true; false; true; false; true; false; true; true; false; true].
-by apply: (@table_not_orientable _ _ _ _ _ way); vm_compute.
+by apply: (table_never_orientable projective_plane_ok (w := way) (e := 15) (f := 10)); vm_compute.
 Qed.
 
 Theorem projective_plane_flip : exists h, allowed (base projective_plane) h.
@@ -315,11 +247,8 @@ Theorem klein_bottle_not_orientable :
   [/\ signed_class klein_bottle, signed_euler klein_bottle = 0%R &
       forall s, signed_reach klein_bottle s -> ~ orientable s].
 Proof.
-have wf := table_well_formed klein_bottle_ok; split; first exact: table_class.
-  by rewrite (table_euler klein_bottle_ok (e := 12) (f := 8)).
-move=> s r; apply: (signed_reach_not_orientable wf r).
 pose way := [:: false; true; false; true; false; true; true; false; true; true].
-by apply: (@table_not_orientable _ _ _ _ _ way); vm_compute.
+by apply: (table_never_orientable klein_bottle_ok (w := way) (e := 12) (f := 8)); vm_compute.
 Qed.
 
 Theorem klein_bottle_flip : exists h, allowed (base klein_bottle) h.
