@@ -118,6 +118,10 @@ TEST(Conformance, FindsWhatIsWrongWithTheFlip) {
                             KernelCode::surface_differs_from_ours));
     EXPECT_THAT(codes(test_naive<Fault::turns_a_far_face>()),
                 ElementsAre(KernelCode::changed_elsewhere, KernelCode::four_flips_differ));
+    // The surface is right, though no side is where it was.
+    EXPECT_THAT(codes(test_naive<Fault::turns_all_faces>()),
+                ElementsAre(KernelCode::changed_elsewhere, KernelCode::four_flips_differ,
+                            KernelCode::side_moved));
     EXPECT_THAT(codes(test_naive<Fault::swaps_outer_sides>()), Contains(KernelCode::side_moved));
     EXPECT_THAT(codes(test_naive<Fault::tears_a_side>()), Contains(KernelCode::topology_changed));
 }

@@ -23,6 +23,7 @@ enum class Fault {
     miscounts_after_flips,
     changes_a_far_label,
     turns_a_far_face,
+    turns_all_faces,
     tears_a_side,
     forgets_a_label,
     swaps_outer_sides,
@@ -130,6 +131,9 @@ struct Naive {
             case Fault::turns_a_far_face:
                 turn_far_face(*around);
                 break;
+            case Fault::turns_all_faces:
+                turn_all_faces();
+                break;
             case Fault::tears_a_side:
                 tables.across[index(h2)] = h2;
                 break;
@@ -187,6 +191,17 @@ struct Naive {
     }
 
     static std::size_t index(Side s) { return static_cast<std::size_t>(s); }
+    /// Every side gets the number of the next.
+    void turn_all_faces() {
+        SideTables turned = tables;
+        for (Index s = 0; s < tables.size(); ++s) {
+            const Index place = next(s);
+            turned.next[index(place)] = next(place);
+            turned.across[index(place)] = next(tables.across[index(s)]);
+            turned.origin[index(place)] = origin(s);
+        }
+        tables = std::move(turned);
+    }
     /// A side of neither face at the edge; there is one wherever there are three faces.
     [[nodiscard]] Side far_side(const std::array<Index, 6>& around) const {
         Side s = 0;
